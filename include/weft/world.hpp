@@ -1,0 +1,211 @@
+// Worlds: cloths, colliders and the time they move in.
+#pragma once
+
+#include "weft/fabric.hpp"
+
+namespace weft {
+inline namespace v0 {
+
+/// How the Verlet update keeps its state. Both are the same scheme in exact arithmetic.
+enum class Form : uint8_t {
+  summed,   ///< d += a dt^2, x += d with d = x_n - x_(n-1): keeps small increments
+  position  ///< x' = 2x - x_prev + a dt^2, as the papers write it: loses them to rounding
+};
+/// The position before the first step.
+enum class Start : uint8_t {
+  taylor,  ///< x_(-1) = x0 - v0 dt + a0 dt^2/2: global order 2
+  lagged   ///< x_(-1) = x0 - v0 dt: global order 1
+};
+/// Which velocity the drag force -c v uses.
+enum class DragModel : uint8_t {
+  central,  ///< (x_(n+1) - x_(n-1))/2dt: order 2, does not lower the stable step
+  lagged    ///< (x_n - x_(n-1))/dt, Georgii and Westermann eq. (2): order 1, lowers it
+};
+
+struct WorldDesc {
+  double3 gravity{0, -9.81, 0};  ///< m/s^2
+  Precision precision = Precision::float32;
+  Form form = Form::summed;
+  Start start = Start::taylor;
+  /// Substeps of a step; 0: the fewest with dt <= safety * bound (one without springs).
+  uint32_t substeps = 0;
+  double safety = 0.9;  ///< in (0, 1]
+  bool unsafe = false;  ///< allow a fixed number of substeps beyond the stable bound
+};
+
+/// Prescribed motion of pinned vertices: p0 + velocity t + amplitude sin(omega t), t in world time.
+struct PinMotion {
+  double3 velocity{0, 0, 0};   ///< m/s
+  double3 amplitude{0, 0, 0};  ///< m
+  double omega = 0;            ///< rad/s
+};
+/// A pinned vertex. Forces and colliders do not move it.
+struct Pin {
+  static constexpr uint32_t fixed = ~0u;
+  uint32_t vertex = 0;
+  uint32_t motion = fixed;  ///< index into ClothDesc::motions, or fixed
+};
+/// A constant force on one vertex, N.
+struct VertexForce {
+  uint32_t vertex = 0;
+  double3 force{0, 0, 0};
+};
+
+/// Rigid placement: rotate about `axis` by `degrees`, then translate.
+struct Pose {
+  double3 axis{1, 0, 0};  ///< need not be normalised; not zero unless degrees is 0
+  double degrees = 0;
+  double3 translate{0, 0, 0};  ///< m
+};
+
+struct ClothDesc {
+  Fabric fabric;
+  Pose pose;
+  /// Positions at the start, m, in the world; empty: the fabric's rest shape in `pose`. Rest lengths
+  /// always come from the rest shape.
+  PointView positions;
+  double3 velocity{0, 0, 0};   ///< m/s, of every vertex that `velocities` does not give
+  View<double3> velocities;    ///< empty, or one per vertex
+  View<Pin> pins;              ///< a vertex at most once
+  View<PinMotion> motions;
+  View<VertexForce> forces;    ///< several on one vertex add up
+  double drag = 0;             ///< N s/m per vertex, >= 0
+  DragModel drag_model = DragModel::central;
+  double spring_damping = 0;   ///< N s/m along each spring, >= 0, lagged velocity
+  uint64_t user_data = 0;
+};
+
+/// Outside of the sphere is free. A particle at the very centre leaves along +y.
+struct SphereDesc {
+  double3 center{0, 0, 0};
+  double radius = 1;  ///< m, > 0
+  double3 velocity{0, 0, 0};
+  double friction = 0;  ///< only 0 in this version
+};
+/// dot(normal, x) < offset is inside.
+struct PlaneDesc {
+  double3 normal{0, 1, 0};  ///< normalised by weft; not zero
+  double offset = 0;        ///< m, along the normalised normal
+  double3 velocity{0, 0, 0};
+  double friction = 0;  ///< only 0 in this version
+};
+
+/// One pass of the compiled plan, in the order it runs.
+struct PassInfo {
+  const char* stage;             ///< e.g. "advance"
+  const char* kernel;            ///< e.g. "grid_seed12_float32"
+  uint64_t count;                ///< particles it touches
+  double bytes_per_particle;     ///< moved once through memory, neighbours from cache
+  double flops_per_particle;     ///< additions, multiplications, divisions and roots
+};
+struct PlanInfo {
+  View<PassInfo> passes;   ///< valid until the next call on the world
+  uint64_t bytes_state;    ///< particles, springs and effects on the device
+  uint64_t bytes_total;    ///< all that the library asks its allocator for
+};
+
+/// The largest stable step of a cloth or a world: dt^2 K + 2 dt C = 4 with K and C the largest
+/// S_i/m_i + S_j/m_j over the springs, S the summed stiffness (or damping) of a vertex. Holds at
+/// every deformation, linearly.
+struct Stability {
+  double dt_bound;      ///< s; infinite when nothing bounds it
+  ClothId cloth;        ///< the one that sets the bound
+  uint32_t a = 0, b = 0;  ///< its worst spring (a == b: a vertex bound by its drag)
+};
+
+enum class EventType : uint8_t {
+  non_finite,        ///< a position became NaN or infinite; `vertex` is the first one
+  backend_fallback,  ///< the back end asked for had no device
+};
+WEFT_API const char* to_string(EventType) noexcept;
+struct Event {
+  EventType type;
+  ClothId cloth;
+  uint32_t vertex;
+  double time;       ///< s
+  const char* text;  ///< valid until the next step
+};
+
+/// Wall time of one phase since the world was made.
+struct PhaseTime {
+  const char* name;
+  double seconds;
+};
+struct Stats {
+  uint64_t particles, springs;  ///< springs: unique, undirected
+  uint64_t frames, steps;       ///< steps: substeps done so far
+  uint32_t substeps_last, substeps_most;
+  double dt_last, dt_least;  ///< s
+  double step_seconds;       ///< wall time inside step()
+  uint32_t threads;          ///< the number the last step ran on
+  View<PhaseTime> phases;
+  uint64_t bytes_state, bytes_total;
+};
+
+/// Energies (J) and momentum (kg m/s) of the free particles, velocities as in read_velocities.
+/// Elastic energy is of every spring; potential is -m g.x.
+struct Mechanics {
+  double kinetic, elastic, potential;
+  double3 momentum;
+};
+
+/// Cloths and colliders that share time, gravity and precision. Used by one thread at a time;
+/// different worlds of one context may be used by different threads. Inputs change between steps.
+/// Every failing call leaves the world as it was. Vertices are numbered as the caller gave them.
+class WEFT_API World {
+ public:
+  World() noexcept = default;
+  World(World&&) noexcept;
+  World& operator=(World&&) noexcept;
+  ~World();
+
+  Result<ClothId> create_cloth(const ClothDesc&) noexcept;
+  Status destroy_cloth(ClothId) noexcept;
+  bool valid(ClothId) const noexcept;
+  Result<ColliderId> create_sphere(const SphereDesc&) noexcept;
+  Result<ColliderId> create_plane(const PlaneDesc&) noexcept;
+  Status destroy_collider(ColliderId) noexcept;
+
+  /// Pins `vertices` where `targets` (one each, world, m) say: a free vertex is pinned, a pinned one
+  /// is moved; the motion runs linearly over the next step and then stops.
+  Status move_pins(ClothId, View<uint32_t> vertices, PointView targets) noexcept;
+  /// Frees `vertices`; each keeps the displacement of its last substep as velocity.
+  Status release_pins(ClothId, View<uint32_t> vertices) noexcept;
+  Status set_gravity(double3) noexcept;
+
+  /// Advances by `dt` seconds (>= 0) in substeps of equal length. dt = 0 changes no bit.
+  /// unstable_step: nothing was advanced. diverged: an event says which vertex.
+  Status step(double dt) noexcept;
+  /// Substeps that step(dt) would take, or why it would refuse.
+  Result<uint32_t> substeps(double dt) noexcept;
+
+  /// Allocates and uploads what the next step needs, so that the step itself does not.
+  Status prepare(double dt) noexcept;
+  Stability stability() noexcept;
+  Result<Stability> stability(ClothId) noexcept;
+  Result<PlanInfo> plan() noexcept;
+  Stats stats() const noexcept;
+  View<Event> events() const noexcept;  ///< of the last step; valid until the next
+
+  double time() const noexcept;
+  /// World positions, m, one per vertex; `stride` bytes apart (at least the size of a point).
+  Status read_positions(ClothId, double3* out, uint32_t stride = sizeof(double3)) noexcept;
+  Status read_positions(ClothId, float3* out, uint32_t stride = sizeof(float3)) noexcept;
+  /// d/dt + a dt/2, m/s: second order at the time of the positions. Pins: their motion.
+  Status read_velocities(ClothId, double3* out) noexcept;
+  /// Forces by mass plus gravity at the current positions, m/s^2, without drag and contact; pins: 0.
+  Status read_accelerations(ClothId, double3* out) noexcept;
+  Result<Mechanics> mechanics() noexcept;
+  /// FNV-1a 64 over the little-endian bits of all world positions, rounded to the world's precision,
+  /// cloth by cloth in order of creation, vertex by vertex, x y z.
+  Result<uint64_t> state_hash() noexcept;
+
+  struct Impl;
+  explicit World(Impl* made) noexcept : impl_(made) {}
+
+ private:
+  Impl* impl_ = nullptr;
+};
+
+}  // namespace v0
+}  // namespace weft

@@ -1,0 +1,45 @@
+# shellcheck shell=bash
+# Stages of a script: each under a heading, timed, its failure remembered. For `source`.
+
+stage_lines=()
+stage_failed=0
+summaries=$(mktemp)
+trap 'rm -f "$summaries"' EXIT
+
+stage() {  # NAME COMMAND...
+  local name=$1 began=$SECONDS status seconds outcome=passed
+  printf '\n==== %s ====\n' "$name"
+  set +e
+  (set -e; "${@:2}")
+  status=$?
+  set -e
+  seconds=$((SECONDS - began))
+  if [[ $status -ne 0 ]]; then
+    outcome="FAILED (exit code $status)"
+    stage_failed=1
+  fi
+  printf -- '---- %s: %s, %d s\n' "$name" "$outcome" "$seconds"
+  stage_lines+=("$(printf '%-10s %5d s  %s' "$name" "$seconds" "$outcome")")
+}
+
+stage_if() {  # CONDITION WHY_NOT NAME COMMAND...
+  if $1; then
+    stage "${@:3}"
+  else
+    stage_lines+=("$(printf '%-10s %5s    skipped: %s' "$3" - "$2")")
+  fi
+}
+
+keep_summary() {  # NAME CTEST_LOG: for the end
+  {
+    printf '%s:\n' "$1"
+    grep -E 'tests passed|tests failed|Total Test time|^\s+[0-9]+ - |No tests' "$2" | sed 's/^/  /'
+  } >>"$summaries" || true
+}
+
+finish() {
+  printf '\n==== summary ====\n'
+  printf '%s\n' "${stage_lines[@]}"
+  cat "$summaries"
+  exit "$stage_failed"
+}

@@ -1,0 +1,131 @@
+#!/usr/bin/env bash
+# Builds weft and runs its tests, in every way this machine can.
+# usage: scripts/test.sh [--quick]
+#   --quick  only the release build and all of its tests
+# Stages: setup, release, cuda (needs nvcc), clang (needs clang++), debug, asan, tsan (needs
+# clang++). A stage that fails does not stop the next one; the script fails if any of them did.
+# shellcheck disable=SC2317  # the stages are called by name
+set -euo pipefail
+cd "$(dirname "$0")/.."
+source scripts/stages.sh
+
+jobs=${JOBS:-$(nproc)}
+export OMP_WAIT_POLICY=passive  # a waiting thread must not take the core of one that works
+export CTEST_PARALLEL_LEVEL=$jobs
+
+have() { command -v "$1" >/dev/null; }
+have_nvcc() { have nvcc || [[ -x "${CUDA_HOME:-/usr/local/cuda}/bin/nvcc" ]]; }
+
+configure() {  # PRESET [-D...]
+  cmake --preset "$1" -DWEFT_WARNINGS_AS_ERRORS=ON "${@:2}"
+}
+
+compile() {  # PRESET [TARGET...]; a folder's targets are FOLDER/all
+  local targets=()
+  [[ $# -eq 1 ]] || targets=(--target "${@:2}")
+  cmake --build "build/$1" --parallel "$jobs" "${targets[@]}"
+}
+
+run_tests() {  # PRESET [ctest options]
+  local log="build/$1/ctest.log"
+  ctest --preset "$1" "${@:2}" 2>&1 | tee "$log"
+  keep_summary "$1" "$log"
+}
+
+# The bits of a run do not depend on compiler, optimisation or device.
+same_bits() {  # PRESET TOOL_OPTIONS...
+  local scene name want got
+  for scene in samples/scenes/*.json; do
+    name=$(basename "$scene" .json)
+    want=$(state_hash release "$scene" --backend omp)
+    got=$(state_hash "$@" "$scene")
+    echo "$name: release $want, $1 $got"
+    if [[ "$want" != "$got" ]]; then
+      echo "$1 gives other bits than release on $scene" >&2
+      return 1
+    fi
+  done
+}
+
+state_hash() {  # PRESET [TOOL_OPTIONS...] SCENE [...]: of a tenth of a second
+  local report
+  report=$(mktemp)
+  "build/$1/tools/weft" run --time 0.1 --report "$report" "${@:2}" >/dev/null
+  python3 -c 'import json, sys; print(json.load(open(sys.argv[1]))["state_hash"])' "$report"
+  rm -f "$report"
+}
+
+release() {
+  configure release
+  compile release
+  run_tests release
+}
+
+cuda() {
+  configure cuda -DCMAKE_CUDA_ARCHITECTURES="${CUDA_ARCHITECTURES:-80}"
+  compile cuda weft_cli
+  if ! nvidia-smi >/dev/null 2>&1; then
+    check_fallback
+  fi
+  same_bits cuda
+}
+
+# Without a usable GPU the program starts, says so in one line and runs on the host.
+check_fallback() {
+  local scene lines
+  scene=$(find samples/scenes -name '*.json' | sort | head -n 1)
+  lines=$(build/cuda/tools/weft run "$scene" --time 0.1 2>&1 >/dev/null)
+  echo "$lines"
+  if [[ $(grep -c . <<<"$lines") -ne 1 ]]; then
+    echo "one line about the fallback was expected" >&2
+    return 1
+  fi
+}
+
+clang() {
+  configure clang
+  compile clang weft_cli tests/determinism/all
+  run_tests clang -L determinism
+  same_bits clang
+}
+
+debug() {
+  configure debug
+  compile debug weft_cli tests/determinism/all
+  run_tests debug -L determinism
+  same_bits debug
+}
+
+asan() {
+  configure asan
+  compile asan
+  run_tests asan -L 'unit|kernels|backend|io|determinism' -LE 'long|hygiene'
+}
+
+tsan() {
+  configure tsan
+  compile tsan tests/determinism/all
+  # archer tells the sanitizer about the barriers of the OpenMP runtime, which it cannot see.
+  local archer
+  archer=$(dirname "$(dirname "$(readlink -f "$(command -v clang++)")")")/lib/libarcher.so
+  [[ ! -e "$archer" ]] || export OMP_TOOL_LIBRARIES="$archer"
+  export TSAN_OPTIONS="ignore_noninstrumented_modules=1 suppressions=$PWD/scripts/tsan.supp"
+  run_tests tsan -L determinism -LE long
+}
+
+case "${1:-}" in
+  "") setup_options=(--all) ;;
+  --quick) setup_options=() ;;
+  *) echo "usage: scripts/test.sh [--quick]" >&2; exit 2 ;;
+esac
+
+stage setup scripts/setup.sh "${setup_options[@]}"
+stage release release
+if [[ "${1:-}" != --quick ]]; then
+  stage_if have_nvcc "nvcc is missing" cuda cuda
+  stage_if "have clang++" "clang++ is missing" clang clang
+  stage debug debug
+  stage asan asan
+  stage_if "have clang++" "clang++ is missing" tsan tsan
+fi
+finish

@@ -22,5 +22,6 @@ rows = [HEAD] + [row(*pair.split("=")) for pair in sys.argv[1:]]
 widths = [max(map(len, column)) for column in zip(*rows)]
 print()
 for cells in rows:
-    print("  ".join([cells[0].ljust(widths[0])] + [c.rjust(w) for c, w in zip(cells[1:], widths[1:])]))
+    figures = [cell.rjust(width) for cell, width in zip(cells[1:], widths[1:])]
+    print("  ".join([cells[0].ljust(widths[0]), *figures]))
 print("\nTime is spent in steps only (reading, writing and cooking excluded).")

@@ -29,10 +29,14 @@ def defined_symbols(nm, objects):
 
 
 def inside_pattern(namespace):
-    """Mangled members of weft::NAMESPACE, their typeinfo, vtables, guards, statics; the entry."""
+    """Mangled members of weft::NAMESPACE, their typeinfo, vtables, guards, statics; the entry.
+
+    Two parts of the compilers' exception handling are in every object and hold no vector code.
+    """
     entry = f"backend_{namespace}"
-    return re.compile(rf"^_Z((TI|TS|TV|TT|GV)?Z*NK?4weft{len(namespace)}{namespace}\d"
-                      rf"|N4weft{len(entry)}{entry}Ev$)")
+    return re.compile(rf"^_Z(TI|TS|TV|TT|GV)?Z*NK?4weft{len(namespace)}{namespace}\d"
+                      rf"|^_ZN4weft{len(entry)}{entry}Ev$"
+                      r"|^DW\.ref\.__gxx_personality_v0$|^__clang_call_terminate$")
 
 
 def check(nm, namespace, objects):

@@ -9,6 +9,7 @@ import sys
 import tempfile
 import unittest
 
+import cpu_library
 import isa_symbols
 import layers
 import public_headers
@@ -179,6 +180,15 @@ class IsaSymbols(Project):
         good = self.compile("good.cpp", self.GOOD)
         self.assert_problem(isa_symbols.check(NM, "omp_v3", [good])[0], "outside weft::omp_v3")
         self.assert_problem(isa_symbols.check(NM, "omp_v3", [good])[0], "is missing")
+
+
+class CpuLibrary(Project):
+    def test_refuses_what_needs_a_gpu_runtime(self):
+        good = self.compile("good.cpp", "void free_memory(); void f() { free_memory(); }")
+        self.assertEqual(cpu_library.check(NM, good)[0], [])
+        bad = self.compile("bad.cpp", 'extern "C" int cudaFree(void*); int f() {'
+                                      "return cudaFree(nullptr); }")
+        self.assert_problem(cpu_library.check(NM, bad)[0], "cudaFree")
 
 
 class Vectorised(Project):

@@ -1,0 +1,28 @@
+#include "io/mesh.h"
+
+#include "io/error.h"
+#include "io/file_text.h"
+
+namespace weft::io {
+namespace {
+
+bool is_ply(std::string_view text) {
+  return text.substr(0, 3) == "ply" && text.size() > 3 && (text[3] == '\n' || text[3] == '\r');
+}
+
+bool is_named_ply(const std::string& path) {
+  return path.size() >= 4 && (path.ends_with(".ply") || path.ends_with(".PLY"));
+}
+
+}  // namespace
+
+Mesh read_mesh(const std::string& path) {
+  const FileText file = read_file(path);
+  if (file.view().empty()) {
+    throw InputError(path + ": is empty (a mesh has vertices) give an OBJ or PLY file");
+  }
+  if (is_ply(file.view()) || is_named_ply(path)) return read_ply(file.view(), path);
+  return read_obj(file.view(), path);
+}
+
+}  // namespace weft::io

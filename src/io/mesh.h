@@ -1,0 +1,27 @@
+// Triangle meshes as files have them.
+#pragma once
+
+#include "weft/core.hpp"
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace weft::io {
+
+struct Mesh {
+  std::vector<double3> positions;
+  std::vector<uint32_t> triangles;    ///< 3 per triangle, each below positions.size()
+  std::vector<std::string> warnings;  ///< what was skipped or looked odd
+};
+
+/// Reads OBJ or PLY, told apart by the first bytes. A mesh without triangles is not an error here;
+/// one without vertices is. InputError names the file, the line or element, the value.
+Mesh read_mesh(const std::string& path);
+
+/// The same from memory; `name` goes into messages.
+Mesh read_obj(std::string_view text, const std::string& name);
+Mesh read_ply(std::string_view text, const std::string& name);
+
+}  // namespace weft::io

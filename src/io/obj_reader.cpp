@@ -1,0 +1,206 @@
+// Wavefront OBJ: the lines `v` and `f`; other known keywords are skipped, unknown ones reported.
+#include "io/mesh.h"
+
+#include "io/error.h"
+#include "io/polygon.h"
+#include "io/text_cursor.h"
+
+#include <array>
+#include <cstring>
+
+namespace weft::io {
+namespace {
+
+constexpr std::array<std::string_view, 24> skipped_keywords{
+    "vt",  "vn",     "vp",     "g",      "o",          "s",         "usemtl",   "mtllib",
+    "l",   "p",      "usemap", "maplib", "mg",         "bevel",     "c_interp", "d_interp",
+    "lod", "cstype", "deg",    "curv",   "shadow_obj", "trace_obj", "bmat",     "step"};
+
+class ObjReader {
+ public:
+  ObjReader(std::string_view text, const std::string& name) : text_(text), name_(name) {}
+
+  Mesh read() {
+    reserve();
+    Cursor cursor(text_.substr(0, 3) == "\xEF\xBB\xBF" ? text_.substr(3) : text_);
+    while (cursor.at < cursor.end) {
+      line_ = cursor.at;
+      read_line(next_logical_line(cursor));
+    }
+    finish();
+    return std::move(mesh_);
+  }
+
+ private:
+  [[noreturn]] void fail_at(const char* line, const std::string& problem) const {
+    const size_t number = line_number(text_, size_t(line - text_.data()));
+    throw InputError(name_ + ": line " + std::to_string(number) + ": " + problem);
+  }
+  [[noreturn]] void fail(const std::string& problem) const { fail_at(line_, problem); }
+
+  // A first pass over the line starts is cheap, and growing vectors would need twice the memory.
+  void reserve() {
+    size_t vertices = 0, faces = 0;
+    Cursor cursor(text_);
+    while (cursor.at < cursor.end) {
+      const std::string_view line = next_line(cursor);
+      if (line.size() < 2 || !is_blank(line[1])) continue;
+      vertices += line[0] == 'v';
+      faces += line[0] == 'f';
+    }
+    mesh_.positions.reserve(vertices);
+    mesh_.triangles.reserve(3 * faces);
+  }
+
+  // Joins lines that end with a backslash; comments do not continue (they hold Windows paths).
+  std::string_view next_logical_line(Cursor& cursor) {
+    std::string_view line = without_return(next_line(cursor));
+    if (line.empty() || line.back() != '\\' || line.front() == '#') return line;
+    joined_.clear();
+    while (!line.empty() && line.back() == '\\') {
+      joined_.append(line.substr(0, line.size() - 1)) += ' ';
+      line = without_return(next_line(cursor));
+    }
+    joined_.append(line);
+    return joined_;
+  }
+
+  static std::string_view without_return(std::string_view line) {
+    if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
+    return line;
+  }
+
+  void read_line(std::string_view line) {
+    Cursor cursor(line);
+    const std::string_view keyword = next_word(cursor);
+    if (keyword.empty() || keyword[0] == '#') return;
+    if (keyword == "v") return read_vertex(cursor);
+    if (keyword == "f" || keyword == "fo") return read_face(cursor);
+    for (const auto known : skipped_keywords) {
+      if (keyword == known) return;
+    }
+    unknown_keyword(keyword);
+  }
+
+  void unknown_keyword(std::string_view keyword) {
+    if (keyword.find('\0') != std::string_view::npos) {
+      fail(quoted(keyword) + " has a zero byte (the file is not text) give an OBJ or PLY file");
+    }
+    if (unknown_lines_++ == 0) {
+      first_unknown_ = "line " + std::to_string(line_number(text_, size_t(line_ - text_.data()))) +
+                       ", " + quoted(keyword);
+    }
+  }
+
+  void read_vertex(Cursor& cursor) {
+    double3 position{};
+    read_coordinate(cursor, "x", position.x);
+    read_coordinate(cursor, "y", position.y);
+    read_coordinate(cursor, "z", position.z);
+    // A weight or a colour may follow.
+    for (double ignored = 0; !at_end(cursor) && *cursor.at != '#';) {
+      read_coordinate(cursor, "an extra value", ignored);
+    }
+    mesh_.positions.push_back(position);
+  }
+
+  void read_coordinate(Cursor& cursor, const char* which, double& value) const {
+    const NumberFault fault = next_real(cursor, value);
+    if (fault == NumberFault::none) return;
+    fail("vertex " + std::to_string(mesh_.positions.size() + 1) + ": " + which + " " +
+         quoted(next_word(cursor)) + " " + to_text(fault));
+  }
+
+  void read_face(Cursor& cursor) {
+    polygon_.clear();
+    while (!at_end(cursor) && *cursor.at != '#') polygon_.push_back(next_corner(cursor));
+    if (polygon_.size() < 3) {
+      fail("the face has " + std::to_string(polygon_.size()) +
+           " vertices (a face needs at least three) correct or remove it");
+    }
+    append_fan(polygon_, mesh_.triangles);
+    if (const uint32_t* twice = repeated_vertex(polygon_)) {
+      fail("the face names vertex " + std::to_string(*twice + 1) +
+           " twice (its triangles would overlap) remove one of the two");
+    }
+  }
+
+  // `v`, `v/vt`, `v//vn` or `v/vt/vn`; only v matters.
+  uint32_t next_corner(Cursor& cursor) {
+    const std::string_view word = next_word(cursor);
+    const char* end = word.data() + word.size();
+    int64_t index = 0;
+    const auto [stop, code] = std::from_chars(word.data() + (word[0] == '+'), end, index);
+    if (code != std::errc{} || !is_reference_tail(stop, end)) {
+      fail("face index " + quoted(word) +
+           " is not a number (v, v/vt, v//vn or v/vt/vn) correct it");
+    }
+    return checked_index(index);
+  }
+
+  static bool is_reference_tail(const char* at, const char* end) {
+    if (at == end) return true;
+    if (*at != '/') return false;
+    int slashes = 0;
+    for (; at < end; ++at) {
+      if (*at == '/')
+        ++slashes;
+      else if (*at != '-' && *at != '+' && (*at < '0' || *at > '9'))
+        return false;
+    }
+    return slashes <= 2;
+  }
+
+  // Positive indices may name a vertex that comes later in the file, so they wait for finish().
+  uint32_t checked_index(int64_t index) {
+    const auto before = int64_t(mesh_.positions.size());
+    if (index == 0 || index < -before || index > int64_t(UINT32_MAX)) {
+      fail("face index " + std::to_string(index) + " is out of range (" + std::to_string(before) +
+           " vertices so far; indices start at 1, or at -1 backwards) correct it");
+    }
+    if (index < 0) return uint32_t(before + index);
+    if (uint64_t(index) > highest_) {
+      highest_ = uint64_t(index);
+      highest_line_ = line_;
+    }
+    return uint32_t(index - 1);
+  }
+
+  void finish() {
+    const size_t count = mesh_.positions.size();
+    if (count == 0) {
+      throw InputError(name_ + ": has no vertices (no line starts with 'v', " +
+                       std::to_string(unknown_lines_) +
+                       " lines are not OBJ) give an OBJ or PLY file");
+    }
+    if (highest_ > count) {
+      fail_at(highest_line_, "face index " + std::to_string(highest_) +
+                                 " is out of range (the file has " + std::to_string(count) +
+                                 " vertices) correct it");
+    }
+    if (unknown_lines_ > 0) {
+      mesh_.warnings.push_back(
+          std::to_string(unknown_lines_) +
+          " lines with an unknown keyword were skipped, the first: " + first_unknown_);
+    }
+  }
+
+  std::string_view text_;
+  const std::string& name_;
+  Mesh mesh_;
+  const char* line_ = nullptr;
+  std::string joined_;
+  std::vector<uint32_t> polygon_;
+  uint64_t highest_ = 0;
+  const char* highest_line_ = nullptr;
+  size_t unknown_lines_ = 0;
+  std::string first_unknown_;
+};
+
+}  // namespace
+
+Mesh read_obj(std::string_view text, const std::string& name) {
+  return ObjReader(text, name).read();
+}
+
+}  // namespace weft::io

@@ -1,0 +1,209 @@
+// PLY, text and binary: elements `vertex` (x, y, z) and `face` (vertex_indices); all else is
+// skipped.
+#include "io/mesh.h"
+
+#include "io/error.h"
+#include "io/ply_body.h"
+#include "io/polygon.h"
+
+namespace weft::io {
+namespace {
+
+template <class Body>
+class PlyReader {
+ public:
+  PlyReader(const PlyHeader& header, Body body, std::string_view text, const std::string& name)
+      : header_(header), body_(std::move(body)), text_(text), name_(name) {}
+
+  Mesh read() {
+    for (const PlyElement& element : header_.elements) {
+      element_ = &element;
+      check_size(element.least_bytes(header_.format));
+      if (element.name == "vertex")
+        read_vertices();
+      else if (element.name == "face")
+        read_faces();
+      else
+        skip_element();
+    }
+    return std::move(mesh_);
+  }
+
+ private:
+  // A message that names the element, and in text files the line.
+  [[noreturn]] void fail(const std::string& problem) const {
+    std::string where = name_ + ": ";
+    if (header_.format == PlyFormat::ascii) {
+      const auto offset = size_t(body_.position() ? body_.position() - text_.data() : 0);
+      where += "line " + std::to_string(line_number(text_, offset)) + ": ";
+    }
+    throw InputError(where + element_->name + " " + std::to_string(record_) + ": " + problem);
+  }
+  void require(bool done, const PlyProperty& property) const {
+    if (!done) fail(property.name + ": " + body_.fault());
+  }
+
+  // Headers promise anything; the body cannot be shorter than its records.
+  void check_size(uint64_t least) const {
+    if (least == 0 || element_->count <= body_.bytes_left() / least) return;
+    throw InputError(name_ + ": element " + element_->name + " " + std::to_string(element_->count) +
+                     " does not fit in the " + std::to_string(body_.bytes_left()) +
+                     " bytes left (each takes at least " + std::to_string(least) +
+                     "; a text-mode copy drops bytes of a binary file) give the whole file");
+  }
+
+  void read_vertices() {
+    const PlyElement& element = *element_;
+    const size_t axes[3] = {element.find("x"), element.find("y"), element.find("z")};
+    for (size_t axis = 0; axis < 3; ++axis) {
+      if (axes[axis] == element.properties.size() || element.properties[axes[axis]].is_list) {
+        throw InputError(name_ + ": element vertex has no number property '" + "xyz"[axis] +
+                         "' (positions need three) add it");
+      }
+    }
+    mesh_.positions.reserve(size_t(element.count));
+    for (record_ = 0; record_ < element.count; ++record_) {
+      begin();
+      double values[3] = {};
+      for (size_t p = 0; p < element.properties.size(); ++p) {
+        const size_t axis = p == axes[0] ? 0 : p == axes[1] ? 1 : p == axes[2] ? 2 : 3;
+        if (axis < 3)
+          read_coordinate(element.properties[p], values[axis]);
+        else
+          skip_property(element.properties[p]);
+      }
+      end();
+      mesh_.positions.push_back({values[0], values[1], values[2]});
+    }
+  }
+
+  void read_coordinate(const PlyProperty& property, double& value) {
+    require(body_.next_real(property.type, value), property);
+    if (!std::isfinite(value)) {
+      fail(property.name + ": " + number_text(value) + " " + to_text(NumberFault::not_finite));
+    }
+  }
+
+  void read_faces() {
+    const PlyElement& element = *element_;
+    size_t indices = element.find("vertex_indices");
+    if (indices == element.properties.size()) indices = element.find("vertex_index");
+    const bool found = indices < element.properties.size() && element.properties[indices].is_list &&
+                       is_integer(element.properties[indices].type);
+    if (!found && element.count > 0) {
+      throw InputError(name_ +
+                       ": element face has no list of integers 'vertex_indices' (nor "
+                       "'vertex_index'; a face is its vertices) add it");
+    }
+    if (found) {
+      const bool text = header_.format == PlyFormat::ascii;
+      const size_t corner = text ? 2 : size_of(element.properties[indices].type);
+      check_size(element.least_bytes(header_.format) + 3 * corner);
+    }
+    mesh_.triangles.reserve(3 * size_t(element.count));
+    for (record_ = 0; record_ < element.count; ++record_) {
+      begin();
+      for (size_t p = 0; p < element.properties.size(); ++p) {
+        if (p == indices)
+          read_polygon(element.properties[p]);
+        else
+          skip_property(element.properties[p]);
+      }
+      end();
+    }
+  }
+
+  void read_polygon(const PlyProperty& property) {
+    const uint64_t corners = read_count(property);
+    if (corners < 3) {
+      fail("the face has " + std::to_string(corners) +
+           " vertices (a face needs at least three) correct or remove it");
+    }
+    polygon_.clear();
+    for (uint64_t k = 0; k < corners; ++k) {
+      int64_t index = 0;
+      require(body_.next_integer(property.type, index), property);
+      polygon_.push_back(checked_index(index));
+    }
+    append_fan(polygon_, mesh_.triangles);
+    if (const uint32_t* twice = repeated_vertex(polygon_)) {
+      fail("the face names vertex " + std::to_string(*twice) +
+           " twice (its triangles would overlap) remove one of the two");
+    }
+  }
+
+  uint32_t checked_index(int64_t index) const {
+    const PlyElement* vertices = header_.find("vertex");
+    const uint64_t count = vertices ? vertices->count : 0;
+    if (index < 0 || uint64_t(index) >= count || index > int64_t(UINT32_MAX)) {
+      fail("vertex index " + std::to_string(index) + " is out of range (the file has " +
+           std::to_string(count) + " vertices; indices start at 0) correct it");
+    }
+    return uint32_t(index);
+  }
+
+  uint64_t read_count(const PlyProperty& property) {
+    int64_t count = 0;
+    require(body_.next_integer(property.count_type, count), property);
+    if (count < 0)
+      fail(property.name + ": the list length " + std::to_string(count) +
+           " is negative (it counts values) correct it");
+    if (uint64_t(count) > body_.values_left(property.type)) {
+      fail(property.name + ": the list length " + std::to_string(count) +
+           " is more than what is left (the list is cut off) correct it");
+    }
+    return uint64_t(count);
+  }
+
+  void skip_property(const PlyProperty& property) {
+    const uint64_t count = property.is_list ? read_count(property) : 1;
+    require(body_.skip(property.type, count), property);
+  }
+
+  void skip_element() {
+    const PlyElement& element = *element_;
+    if (element.properties.empty()) return;
+    for (record_ = 0; record_ < element.count; ++record_) {
+      begin();
+      for (const PlyProperty& property : element.properties) skip_property(property);
+      end();
+    }
+  }
+
+  void begin() {
+    if (!body_.begin_record()) fail(body_.fault());
+  }
+  void end() {
+    if (!body_.end_record()) fail(body_.fault());
+  }
+
+  const PlyHeader& header_;
+  Body body_;
+  std::string_view text_;
+  const std::string& name_;
+  Mesh mesh_;
+  const PlyElement* element_ = nullptr;
+  uint64_t record_ = 0;
+  std::vector<uint32_t> polygon_;
+};
+
+}  // namespace
+
+Mesh read_ply(std::string_view text, const std::string& name) {
+  const PlyHeader header = read_ply_header(text, name);
+  const PlyElement* vertices = header.find("vertex");
+  if (!vertices || vertices->count == 0) {
+    throw InputError(name +
+                     ": has no vertices (no element vertex with a count above 0) give a mesh");
+  }
+  const std::string_view body = text.substr(header.body);
+  Mesh mesh = header.format == PlyFormat::ascii
+                  ? PlyReader(header, PlyTextBody(body), text, name).read()
+                  : PlyReader(header, PlyBinaryBody(body, header.format == PlyFormat::big_endian),
+                              text, name)
+                        .read();
+  mesh.warnings.insert(mesh.warnings.begin(), header.warnings.begin(), header.warnings.end());
+  return mesh;
+}
+
+}  // namespace weft::io

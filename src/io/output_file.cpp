@@ -1,0 +1,130 @@
+#include "io/output_file.h"
+
+#include "io/error.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <system_error>
+
+namespace weft::io {
+namespace {
+
+namespace fs = std::filesystem;
+constexpr size_t buffer_size = size_t(1) << 18;
+
+std::string temporary_name(const fs::path& target) {
+  static std::atomic<unsigned> serial{0};
+  const std::string name = "." + target.filename().string() + "." + std::to_string(::getpid()) +
+                           "-" + std::to_string(serial++) + ".tmp";
+  return (target.parent_path() / name).string();
+}
+
+// The file that a chain of symbolic links ends at, also when it does not exist yet.
+fs::path follow_links(fs::path path) {
+  for (int depth = 0; depth < 40; ++depth) {
+    std::error_code none;
+    const fs::path next = fs::read_symlink(path, none);
+    if (none) return path;
+    path = next.is_absolute() ? next : path.parent_path() / next;
+  }
+  return path;
+}
+
+bool is_device(const std::string& path) {
+  struct stat status {};
+  return ::stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode);
+}
+
+}  // namespace
+
+OutputFile::OutputFile(const std::string& path, Sync sync) : path_(path), sync_(sync) {
+  buffer_.reserve(buffer_size);
+  if (is_device(path)) {
+    descriptor_ = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
+    if (descriptor_ < 0) fail("opened");
+    return;
+  }
+  target_ = follow_links(path).string();
+  std::error_code ignored;
+  if (path.empty() || fs::is_directory(target_, ignored)) {
+    errno = path.empty() ? ENOENT : EISDIR;
+    fail("opened");
+  }
+  temporary_ = temporary_name(target_);
+  descriptor_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+  if (descriptor_ < 0) {
+    temporary_.clear();
+    fail("made");
+  }
+}
+
+OutputFile::~OutputFile() { discard(); }
+
+void OutputFile::write(std::string_view bytes) {
+  if (buffer_.size() + bytes.size() > buffer_size) flush();
+  if (bytes.size() < buffer_size) {
+    buffer_.insert(buffer_.end(), bytes.begin(), bytes.end());
+    return;
+  }
+  write_through(bytes);
+}
+
+void OutputFile::flush() {
+  write_through({buffer_.data(), buffer_.size()});
+  buffer_.clear();
+}
+
+void OutputFile::write_through(std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t done = ::write(descriptor_, bytes.data(), bytes.size());
+    if (done < 0 && errno == EINTR) continue;
+    if (done < 0) fail("written");
+    bytes.remove_prefix(size_t(done));
+  }
+}
+
+void OutputFile::commit() {
+  flush();
+  if (sync_ == Sync::yes && !temporary_.empty() && ::fsync(descriptor_) != 0) fail("written");
+  const int closed = ::close(descriptor_);
+  descriptor_ = -1;
+  if (closed != 0) fail("closed");
+  if (temporary_.empty()) return;
+  if (::rename(temporary_.c_str(), target_.c_str()) != 0) fail("renamed");
+  temporary_.clear();
+}
+
+void OutputFile::fail(const char* doing) {
+  const int code = errno;
+  discard();
+  throw OutputError(path_ + ": cannot be " + doing + " (" + std::strerror(code) +
+                    ") free space or give another path");
+}
+
+void OutputFile::discard() noexcept {
+  if (descriptor_ >= 0) ::close(descriptor_);
+  descriptor_ = -1;
+  if (!temporary_.empty()) ::unlink(temporary_.c_str());
+  temporary_.clear();
+}
+
+void probe_output(const std::string& path) { const OutputFile file(path); }
+
+void make_folder(const std::string& path) {
+  std::error_code failure;
+  fs::create_directories(path, failure);
+  if (!failure && !fs::is_directory(path, failure))
+    failure = std::make_error_code(std::errc::not_a_directory);
+  if (failure) {
+    throw OutputError(path + ": the folder cannot be made (" + failure.message() +
+                      ") give another path");
+  }
+}
+
+}  // namespace weft::io

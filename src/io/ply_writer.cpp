@@ -1,0 +1,60 @@
+#include "io/surface.h"
+
+#include "io/output_file.h"
+
+#include <algorithm>
+#include <bit>
+#include <cstring>
+
+namespace weft::io {
+namespace {
+
+template <class Value>
+char* put(char* at, Value value) {
+  char bytes[sizeof value];
+  std::memcpy(bytes, &value, sizeof value);
+  if constexpr (std::endian::native == std::endian::big) std::reverse(bytes, bytes + sizeof value);
+  return std::copy(bytes, bytes + sizeof value, at);
+}
+
+std::string header(const Surface& surface, Precision precision) {
+  const std::string real = precision == Precision::float32 ? "float" : "double";
+  std::string text = "ply\nformat binary_little_endian 1.0\n";
+  text += "element vertex " + std::to_string(surface.positions.size()) + "\n";
+  for (const char* axis : {"x", "y", "z"}) text += "property " + real + " " + axis + "\n";
+  text += "element face " + std::to_string(surface.triangles.size()) + "\n";
+  text += "property list uchar int vertex_indices\n";
+  if (!surface.edges.empty()) {
+    text += "element edge " + std::to_string(surface.edges.size()) + "\n";
+    text += "property int vertex1\nproperty int vertex2\n";
+  }
+  return text + "end_header\n";
+}
+
+}  // namespace
+
+void write_ply(const std::string& path, const Surface& surface, Precision precision) {
+  OutputFile file(path);
+  file.write(header(surface, precision));
+  char record[3 * sizeof(double)];
+  for (const double3 p : surface.positions) {
+    char* at = record;
+    for (const double c : {p.x, p.y, p.z}) {
+      at = precision == Precision::float32 ? put(at, static_cast<float>(c)) : put(at, c);
+    }
+    file.write(record, size_t(at - record));
+  }
+  for (const auto& triangle : surface.triangles) {
+    char* at = put(record, uint8_t(3));
+    for (const uint32_t v : triangle) at = put(at, v);
+    file.write(record, size_t(at - record));
+  }
+  for (const auto& edge : surface.edges) {
+    char* at = record;
+    for (const uint32_t v : edge) at = put(at, v);
+    file.write(record, size_t(at - record));
+  }
+  file.commit();
+}
+
+}  // namespace weft::io

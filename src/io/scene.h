@@ -1,0 +1,128 @@
+// A scene file as plain data, checked: every value is in range and every index names something.
+#pragma once
+
+#include "weft/world.hpp"
+
+#include "io/mesh.h"
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace weft::io {
+
+struct TimeSettings {
+  double duration = 1;
+  double frame = 1.0 / 60;
+  uint32_t substeps = 0;  ///< 0: automatic
+};
+
+enum class Integrator : uint8_t { verlet, rk4, implicit_euler, implicit_midpoint, xpbd };
+enum class Evaluation : uint8_t { automatic, gather, scatter };
+enum class Accumulate : uint8_t { native, atomic, fixed64, float16, float24, float24_all, fixed8 };
+enum class EnergyGuard : uint8_t { automatic, on, off };
+
+struct SolverSettings {
+  Integrator integrator = Integrator::verlet;
+  Form form = Form::summed;
+  Start start = Start::taylor;
+  Precision precision = Precision::float32;
+  Evaluation evaluation = Evaluation::automatic;
+  Accumulate accumulate = Accumulate::native;
+  bool deterministic = true;
+  double safety = 0.9;
+  EnergyGuard energy_guard = EnergyGuard::automatic;
+  bool unsafe = false;
+};
+
+struct GridShape {
+  uint32_t rows = 1, columns = 1;
+  double width = 1, height = 1;
+  Stencil stencil = Stencil::seed12;
+};
+struct MeshShape {
+  std::shared_ptr<const Mesh> mesh;  ///< shared by the cloths that name the same file
+  bool bend = false;
+};
+struct NetworkShape {
+  std::vector<double3> positions;
+  std::vector<Spring> springs;
+};
+using Shape = std::variant<GridShape, MeshShape, NetworkShape>;
+
+struct ClothScene {
+  std::string name;
+  Shape shape;
+  double scale = 1;
+  Pose pose;
+  Mass::Kind mass_kind = Mass::Kind::total;
+  double mass = 1;
+  std::vector<double> masses;
+  Stiffness stiffness{0};
+  double rest_length = initial_rest_length;
+  double drag = 0;
+  double spring_damping = 0;
+  DragModel drag_model = DragModel::central;
+  std::vector<Pin> pins;  ///< a vertex at most once, ascending
+  std::vector<PinMotion> motions;
+  double3 velocity{0, 0, 0};
+  std::vector<double3> velocities;
+  std::vector<VertexForce> forces;
+};
+
+struct CylinderShape {
+  double3 a, b;
+  double radius;
+};
+struct CapsuleShape {
+  double3 a, b;
+  double radius;
+};
+struct BoxShape {
+  double3 center, half;
+  double3 axis;
+  double degrees;
+};
+/// Spheres and planes without their velocity and friction, which every collider has.
+struct ColliderScene {
+  std::variant<SphereDesc, PlaneDesc, CylinderShape, CapsuleShape, BoxShape> shape;
+  double friction = 0;
+  double3 velocity{0, 0, 0};
+};
+
+struct WindScene {
+  double3 velocity{0, 0, 0};
+  double air_density = 1.225, normal = 1, tangential = 0.02;
+};
+
+struct SelfCollisionScene {
+  bool complete = false;
+  double distance = 0.01, cell = 0.02;
+  uint32_t grids = 8;
+  bool diagonal = false;
+  std::optional<uint32_t> window;
+};
+
+struct Scene {
+  std::string file;
+  double3 gravity{0, -9.81, 0};
+  TimeSettings time;
+  SolverSettings solver;
+  std::vector<ClothScene> cloths;
+  std::vector<ColliderScene> colliders;
+  std::optional<WindScene> wind;
+  std::optional<SelfCollisionScene> self_collision;
+};
+
+/// Reads, checks and refuses: an InputError starts with the file and the JSON path.
+Scene read_scene(const std::string& path);
+/// The same from memory; mesh files are looked for in the folder of `path`.
+Scene read_scene_text(std::string_view text, const std::string& path);
+
+uint32_t vertex_count(const Shape&);
+/// ceil(duration/frame - 1e-6). InputError, naming `path`, above 2^53.
+uint64_t frame_count(const TimeSettings&, const std::string& path);
+
+}  // namespace weft::io

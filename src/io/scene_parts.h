@@ -1,0 +1,32 @@
+// The pieces of the scene reader; each takes the node of its key and fills its part.
+#pragma once
+
+#include "io/json_node.h"
+#include "io/scene.h"
+
+#include <map>
+
+namespace weft::io {
+
+/// Where mesh files are, and those that were read.
+struct MeshCache {
+  std::string folder;
+  std::map<std::string, std::shared_ptr<const Mesh>> meshes;
+};
+
+void read_time(const Node&, TimeSettings&);
+void read_solver(const Node&, SolverSettings&);
+ClothScene read_cloth(const Node&, MeshCache&);
+Shape read_shape(const Node& cloth, MeshCache&);
+void read_material(const Node& cloth, ClothScene&);
+void read_pins(const Node&, ClothScene&);
+/// `{ "axis", "degrees" }`
+void read_rotation(const Node&, double3& axis, double& degrees);
+ColliderScene read_collider(const Node&);
+std::optional<WindScene> read_wind(const Node&);
+std::optional<SelfCollisionScene> read_self_collision(const Node&);
+
+/// Refuses what is valid but has no effect yet, naming path and value.
+void refuse_unavailable(const Scene&);
+
+}  // namespace weft::io

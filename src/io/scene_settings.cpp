@@ -1,0 +1,94 @@
+// The keys "time" and "solver".
+#include "io/scene_parts.h"
+
+namespace weft::io {
+namespace {
+
+void read_methods(const Node& node, SolverSettings& solver) {
+  if (const auto key = node.find("integrator")) {
+    solver.integrator =
+        key->choice<Integrator>({{"verlet", Integrator::verlet},
+                                 {"rk4", Integrator::rk4},
+                                 {"implicit_euler", Integrator::implicit_euler},
+                                 {"implicit_midpoint", Integrator::implicit_midpoint},
+                                 {"xpbd", Integrator::xpbd}});
+  }
+  if (const auto key = node.find("form")) {
+    solver.form = key->choice<Form>({{"summed", Form::summed}, {"position", Form::position}});
+  }
+  if (const auto key = node.find("start")) {
+    solver.start = key->choice<Start>({{"taylor", Start::taylor}, {"lagged", Start::lagged}});
+  }
+  if (const auto key = node.find("precision")) {
+    solver.precision =
+        key->choice<Precision>({{"float32", Precision::float32}, {"float64", Precision::float64}});
+  }
+}
+
+void read_evaluation(const Node& node, SolverSettings& solver) {
+  if (const auto key = node.find("evaluation")) {
+    solver.evaluation = key->choice<Evaluation>({{"gather", Evaluation::gather},
+                                                 {"scatter", Evaluation::scatter},
+                                                 {"auto", Evaluation::automatic}});
+  }
+  if (const auto key = node.find("deterministic")) solver.deterministic = key->boolean();
+  const auto key = node.find("accumulate");
+  if (!key) return;
+  solver.accumulate = key->choice<Accumulate>({{"native", Accumulate::native},
+                                               {"atomic", Accumulate::atomic},
+                                               {"fixed64", Accumulate::fixed64},
+                                               {"float16", Accumulate::float16},
+                                               {"float24", Accumulate::float24},
+                                               {"float24_all", Accumulate::float24_all},
+                                               {"fixed8", Accumulate::fixed8}});
+  if (solver.accumulate == Accumulate::atomic && solver.deterministic) {
+    key->fail(
+        "\"atomic\" is refused while deterministic is true (the order of atomic additions "
+        "changes from run to run) set deterministic to false or choose another value");
+  }
+  if (solver.accumulate != Accumulate::native && solver.evaluation != Evaluation::scatter) {
+    key->fail(key->value_text() +
+              " needs evaluation \"scatter\" (a gather sums in registers) give "
+              "\"native\" or set evaluation to \"scatter\"");
+  }
+}
+
+void read_limits(const Node& node, SolverSettings& solver) {
+  if (const auto key = node.find("safety")) {
+    solver.safety = key->number(Sign::positive);
+    if (solver.safety > 1) key->out_of_range("1 is the stable bound", "give a number > 0 and <= 1");
+  }
+  if (const auto key = node.find("energy_guard")) {
+    if (key->is_string()) {
+      key->choice<EnergyGuard>({{"auto", EnergyGuard::automatic}});
+    } else {
+      solver.energy_guard = key->boolean() ? EnergyGuard::on : EnergyGuard::off;
+    }
+  }
+  if (const auto key = node.find("unsafe")) solver.unsafe = key->boolean();
+}
+
+}  // namespace
+
+void read_time(const Node& node, TimeSettings& time) {
+  node.require_object({"duration", "frame", "substeps"});
+  if (const auto key = node.find("duration")) time.duration = key->number(Sign::not_negative);
+  if (const auto key = node.find("frame")) time.frame = key->number(Sign::positive);
+  const auto key = node.find("substeps");
+  if (!key) return;
+  if (key->is_string()) {
+    time.substeps = key->choice<uint32_t>({{"auto", 0}});
+  } else {
+    time.substeps = uint32_t(key->integer(1, INT32_MAX, "a frame takes at least one substep"));
+  }
+}
+
+void read_solver(const Node& node, SolverSettings& solver) {
+  node.require_object({"integrator", "form", "start", "precision", "evaluation", "accumulate",
+                       "deterministic", "safety", "energy_guard", "unsafe"});
+  read_methods(node, solver);
+  read_evaluation(node, solver);
+  read_limits(node, solver);
+}
+
+}  // namespace weft::io

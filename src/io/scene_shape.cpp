@@ -1,0 +1,109 @@
+// The keys "grid", "mesh" and "network" of a cloth.
+#include "io/scene_parts.h"
+
+#include "io/error.h"
+
+#include <filesystem>
+
+namespace weft::io {
+namespace {
+
+constexpr int64_t most_vertices = int64_t(1) << 30;
+
+GridShape read_grid(const Node& node) {
+  node.require_object({"rows", "columns", "width", "height", "stencil"});
+  GridShape grid;
+  grid.rows = uint32_t(node.at("rows", "an integer >= 1")
+                           .integer(1, most_vertices, "a grid needs at least one row"));
+  const Node columns = node.at("columns", "an integer >= 1");
+  grid.columns = uint32_t(columns.integer(1, most_vertices, "a grid needs at least one column"));
+  if (int64_t(grid.rows) * int64_t(grid.columns) > most_vertices) {
+    columns.out_of_range("with " + std::to_string(grid.rows) +
+                             " rows there are more than 2^30 "
+                             "vertices",
+                         "give fewer");
+  }
+  grid.width = node.at("width", "a length > 0").number(Sign::positive);
+  grid.height = node.at("height", "a length > 0").number(Sign::positive);
+  grid.stencil = node.at("stencil", "\"seed12\", \"classic12\", \"quad4\" or \"tri6\"")
+                     .choice<Stencil>({{"seed12", Stencil::seed12},
+                                       {"classic12", Stencil::classic12},
+                                       {"quad4", Stencil::quad4},
+                                       {"tri6", Stencil::tri6}});
+  return grid;
+}
+
+std::shared_ptr<const Mesh> load_mesh(const Node& file, MeshCache& cache) {
+  if (file.text().empty()) file.fail("\"\" names no file (a mesh is read from one) give its path");
+  const std::string path = (std::filesystem::path(cache.folder) / file.text()).string();
+  auto& mesh = cache.meshes[path];
+  if (mesh) return mesh;
+  try {
+    mesh = std::make_shared<const Mesh>(read_mesh(path));
+  } catch (const InputError& error) {
+    file.fail(error.what());
+  }
+  if (mesh->triangles.empty()) {
+    file.fail(path +
+              ": has no faces (a cloth's springs come from them) give a surface, or a network");
+  }
+  if (mesh->positions.size() > uint64_t(most_vertices)) {
+    file.fail(path + ": has more than 2^30 vertices (indices end there) give a smaller mesh");
+  }
+  return mesh;
+}
+
+MeshShape read_mesh_shape(const Node& node, MeshCache& cache) {
+  node.require_object({"file", "bend"});
+  MeshShape shape;
+  if (const auto bend = node.find("bend")) shape.bend = bend->boolean();
+  shape.mesh = load_mesh(node.at("file", "the path of an OBJ or PLY file"), cache);
+  return shape;
+}
+
+Spring read_spring(const Node& node, size_t vertices) {
+  const size_t length =
+      node.array_size("[i, j], [i, j, stiffness] or [i, j, stiffness, rest_length]");
+  if (length < 2 || length > 4) {
+    node.fail(node.value_text() +
+              " is not a spring (it has two ends, at most a stiffness and a rest "
+              "length) give [i, j], [i, j, stiffness] or [i, j, stiffness, rest_length]");
+  }
+  Spring spring;
+  spring.a = node[0].index(vertices, "vertices");
+  spring.b = node[1].index(vertices, "vertices");
+  if (spring.a == spring.b) {
+    node.fail("[" + std::to_string(spring.a) + ", " + std::to_string(spring.b) +
+              "] joins a vertex to itself (a spring has two ends) give two different vertices");
+  }
+  if (length > 2) spring.stiffness = node[2].number(Sign::not_negative);
+  if (length > 3) spring.rest_length = node[3].number(Sign::not_negative);
+  return spring;
+}
+
+NetworkShape read_network(const Node& node) {
+  node.require_object({"positions", "springs"});
+  NetworkShape network;
+  const Node positions = node.at("positions", "an array of positions");
+  const size_t vertices = positions.array_size("an array of positions");
+  if (vertices == 0) positions.fail("is empty (a network needs at least one vertex) add one");
+  network.positions.reserve(vertices);
+  for (size_t i = 0; i < vertices; ++i) network.positions.push_back(positions[i].vector());
+  const Node springs = node.at("springs", "an array of springs, which may be empty");
+  const size_t count = springs.array_size("an array of springs");
+  network.springs.reserve(count);
+  for (size_t i = 0; i < count; ++i) network.springs.push_back(read_spring(springs[i], vertices));
+  return network;
+}
+
+}  // namespace
+
+Shape read_shape(const Node& cloth, MeshCache& cache) {
+  const std::string kind = cloth.exactly_one({"grid", "mesh", "network"});
+  const Node node = cloth.at(kind.c_str(), "it");
+  if (kind == "grid") return read_grid(node);
+  if (kind == "mesh") return read_mesh_shape(node, cache);
+  return read_network(node);
+}
+
+}  // namespace weft::io

@@ -1,0 +1,125 @@
+// The keys "colliders", "wind" and "self_collision".
+#include "io/scene_parts.h"
+
+#include <string_view>
+
+namespace weft::io {
+namespace {
+
+bool is_zero(double3 v) { return v.x == 0 && v.y == 0 && v.z == 0; }
+bool equal(double3 a, double3 b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
+
+double read_radius(const Node& node) {
+  return node.at("radius", "a length > 0").number(Sign::positive);
+}
+
+SphereDesc read_sphere(const Node& node) {
+  node.require_object({"center", "radius"});
+  SphereDesc sphere;
+  sphere.center = node.at("center", "a position").vector();
+  sphere.radius = read_radius(node);
+  return sphere;
+}
+
+PlaneDesc read_plane(const Node& node) {
+  node.require_object({"normal", "offset"});
+  PlaneDesc plane;
+  const Node normal = node.at("normal", "a direction");
+  plane.normal = normal.vector();
+  if (is_zero(plane.normal)) {
+    normal.fail("[0, 0, 0] has no direction (the free side lies along it) give another vector");
+  }
+  plane.offset = node.at("offset", "a length along the normal").number();
+  return plane;
+}
+
+CylinderShape read_cylinder(const Node& node) {
+  node.require_object({"a", "b", "radius"});
+  const Node b = node.at("b", "the other end");
+  const CylinderShape shape{node.at("a", "one end").vector(), b.vector(), read_radius(node)};
+  if (equal(shape.a, shape.b)) {
+    b.fail("is equal to \"a\" (a cylinder has a length) give two different ends");
+  }
+  return shape;
+}
+
+CapsuleShape read_capsule(const Node& node) {
+  node.require_object({"a", "b", "radius"});
+  return {node.at("a", "one end").vector(), node.at("b", "the other end").vector(),
+          read_radius(node)};
+}
+
+BoxShape read_box(const Node& node) {
+  node.require_object({"center", "half", "rotate"});
+  BoxShape box{node.at("center", "a position").vector(), {}, {1, 0, 0}, 0};
+  const Node half = node.at("half", "half the lengths of the edges");
+  box.half = half.vector();
+  for (size_t axis = 0; axis < 3; ++axis) half[axis].number(Sign::positive);
+  if (const auto key = node.find("rotate")) read_rotation(*key, box.axis, box.degrees);
+  return box;
+}
+
+void read_grids(const Node& node, SelfCollisionScene& scene) {
+  if (const auto key = node.find("shifts")) {
+    scene.diagonal = key->choice<bool>({{"corner", false}, {"diagonal", true}});
+  }
+  const auto key = node.find("grids");
+  if (!key) return;
+  scene.grids = uint32_t(key->integer(1, 1024, "at least one grid is searched"));
+  const bool corner = scene.grids == 1 || scene.grids == 2 || scene.grids == 4 || scene.grids == 8;
+  if (!scene.diagonal && !corner) {
+    key->out_of_range("\"corner\" shifts come as 1, 2, 4 or 8", "give one of these");
+  }
+}
+
+}  // namespace
+
+ColliderScene read_collider(const Node& node) {
+  node.require_object({"sphere", "plane", "cylinder", "capsule", "box", "friction", "velocity"});
+  ColliderScene collider;
+  const std::string_view kind = node.exactly_one({"sphere", "plane", "cylinder", "capsule", "box"});
+  const Node shape = node.at(kind.data(), "it");
+  if (kind == "sphere")
+    collider.shape = read_sphere(shape);
+  else if (kind == "plane")
+    collider.shape = read_plane(shape);
+  else if (kind == "cylinder")
+    collider.shape = read_cylinder(shape);
+  else if (kind == "capsule")
+    collider.shape = read_capsule(shape);
+  else
+    collider.shape = read_box(shape);
+  if (const auto key = node.find("friction")) collider.friction = key->number(Sign::not_negative);
+  if (const auto key = node.find("velocity")) collider.velocity = key->vector();
+  return collider;
+}
+
+std::optional<WindScene> read_wind(const Node& node) {
+  if (node.is_null()) return std::nullopt;
+  node.require_object({"velocity", "air_density", "normal", "tangential"});
+  WindScene wind;
+  wind.velocity = node.at("velocity", "a vector in m/s").vector();
+  if (const auto key = node.find("air_density")) wind.air_density = key->number(Sign::not_negative);
+  if (const auto key = node.find("normal")) wind.normal = key->number(Sign::not_negative);
+  if (const auto key = node.find("tangential")) wind.tangential = key->number(Sign::not_negative);
+  return wind;
+}
+
+std::optional<SelfCollisionScene> read_self_collision(const Node& node) {
+  if (node.is_null()) return std::nullopt;
+  node.require_object({"method", "distance", "cell", "grids", "shifts", "window"});
+  SelfCollisionScene scene;
+  if (const auto key = node.find("method")) {
+    scene.complete = key->choice<bool>({{"staggered", false}, {"complete", true}});
+  }
+  if (const auto key = node.find("distance")) scene.distance = key->number(Sign::positive);
+  if (const auto key = node.find("cell")) scene.cell = key->number(Sign::positive);
+  read_grids(node, scene);
+  const auto key = node.find("window");
+  if (key && !key->is_null()) {
+    scene.window = uint32_t(key->integer(1, INT32_MAX, "a particle tests at least its neighbour"));
+  }
+  return scene;
+}
+
+}  // namespace weft::io

@@ -1,0 +1,104 @@
+// "colliders", "wind", "self_collision", and what is not available yet.
+#include "scene_support.h"
+
+namespace weft::io::test {
+namespace {
+
+Json with(const char* key, const char* value) {
+  Json json = scene_of(grid_cloth());
+  json[key] = Json::parse(value);
+  return json;
+}
+
+TEST(SceneSurroundings, ReadsSpheresAndPlanes) {
+  const Scene scene = read_json(with("colliders", R"([
+    { "sphere": { "center": [1,2,3], "radius": 0.5 }, "friction": 0, "velocity": [0,1,0] },
+    { "plane": { "normal": [0,2,0], "offset": -1 } }])"));
+  const auto& sphere = std::get<SphereDesc>(scene.colliders[0].shape);
+  EXPECT_EQ(sphere.center.z, 3);
+  EXPECT_EQ(sphere.radius, 0.5);
+  EXPECT_EQ(scene.colliders[0].velocity.y, 1);
+  EXPECT_EQ(std::get<PlaneDesc>(scene.colliders[1].shape).offset, -1);
+}
+
+TEST(SceneSurroundings, RefusesBadColliders) {
+  const Json base = with("colliders", R"([{"sphere": {"center": [0,0,0], "radius": 1}}, {"plane":
+    {"normal": [0,1,0], "offset": 0}}])");
+  expect_refused(
+      base,
+      {{"/colliders/0/sphere/radius", "0", "$.colliders[0].sphere.radius", "0 is out of range"},
+       {"/colliders/0/sphere/radius", "-1", "$.colliders[0].sphere.radius", "-1 is out of range"},
+       {"/colliders/0/sphere/radius", "", "$.colliders[0].sphere.radius", "is missing"},
+       {"/colliders/0/sphere/center", "", "$.colliders[0].sphere.center", "is missing"},
+       {"/colliders/0/sphere", "", "$.colliders[0]", "none of sphere, plane"},
+       {"/colliders/0/plane", "{}", "$.colliders[0]", "has sphere and plane"},
+       {"/colliders/0/cone", "{}", "$.colliders[0].cone", "unknown key"},
+       {"/colliders/0/friction", "-1", "$.colliders[0].friction", "-1 is out of range"},
+       {"/colliders/0/velocity", "1", "$.colliders[0].velocity", "1 has the wrong type"},
+       {"/colliders/1/plane/normal", "[0,0,0]", "$.colliders[1].plane.normal", "no direction"},
+       {"/colliders/1/plane/offset", "", "$.colliders[1].plane.offset", "is missing"}});
+}
+
+struct Refusal {
+  const char *key, *value, *message;
+};
+
+void expect_messages(const std::vector<Refusal>& cases) {
+  for (const auto& [key, value, text] : cases) {
+    SCOPED_TRACE(value);
+    EXPECT_CONTAINS(input_error([&] { read_json(with(key, value)); }), text);
+  }
+}
+
+TEST(SceneSurroundings, WhatIsNotAvailableIsNamed) {
+  const std::string words = " is not available in this version";
+  expect_messages(
+      {{"solver", R"({"integrator": "rk4"})",
+        "$.solver.integrator: \"rk4\" is not available in this"},
+       {"solver", R"({"integrator": "implicit_euler"})", "not available in this version"},
+       {"solver", R"({"integrator": "implicit_midpoint"})", "not available in this version"},
+       {"solver", R"({"integrator": "xpbd"})", "not available in this version"},
+       {"solver", R"({"evaluation": "scatter"})",
+        "$.solver.evaluation: \"scatter\" is not available"},
+       {"solver", R"({"evaluation": "scatter", "accumulate": "fixed64"})", "not available in this"},
+       {"solver", R"({"energy_guard": true})", "$.solver.energy_guard: true is not available"},
+       {"wind", R"({"velocity": [1,0,0]})", "$.wind: wind is not available in this version"},
+       {"self_collision", "{}",
+        "$.self_collision: self-collision is not available in this version"},
+       {"colliders", R"([{"cylinder": {"a": [0,0,0], "b": [0,1,0], "radius": 1}}])",
+        "$.colliders[0].cylinder: a cylinder is not available in this version"},
+       {"colliders", R"([{"capsule": {"a": [0,0,0], "b": [0,1,0], "radius": 1}}])",
+        "a capsule is not available in this version"},
+       {"colliders", R"([{"box": {"center": [0,0,0], "half": [1,1,1], "rotate": {}}}])",
+        "a box is not available in this version"},
+       {"colliders", R"([{"sphere": {"center": [0,0,0], "radius": 1}, "friction": 0.5}])",
+        "$.colliders[0].friction: 0.5 is not available in this version"}});
+}
+
+TEST(SceneSurroundings, GarbageInUnavailableKeysIsGarbage) {
+  expect_messages(
+      {{"wind", "{}", "$.wind.velocity: is missing"},
+       {"wind", R"({"velocity": [1,0,0], "air_density": -1})", "$.wind.air_density: -1 is out"},
+       {"wind", R"({"velocity": [1,0,0], "normal": -1})", "$.wind.normal: -1 is out"},
+       {"wind", R"({"velocity": [1,0,0], "tangential": "x"})", "$.wind.tangential: \"x\""},
+       {"self_collision", "[]", "$.self_collision: an array of 0"},
+       {"self_collision", R"({"method": "all"})", "$.self_collision.method: \"all\""},
+       {"self_collision", R"({"distance": 0})", "$.self_collision.distance: 0 is out"},
+       {"self_collision", R"({"cell": -1})", "$.self_collision.cell: -1 is out"},
+       {"self_collision", R"({"grids": 3})", "$.self_collision.grids: 3 is out"},
+       {"self_collision", R"({"grids": 0, "shifts": "diagonal"})", "$.self_collision.grids: 0"},
+       {"self_collision", R"({"grids": 3, "shifts": "diagonal"})", "not available"},
+       {"self_collision", R"({"shifts": "x"})", "$.self_collision.shifts: \"x\""},
+       {"self_collision", R"({"window": 0})", "$.self_collision.window: 0 is out"},
+       {"colliders", R"([{"cylinder": {"a": [0,0,0], "b": [0,0,0], "radius": 1}}])",
+        "$.colliders[0].cylinder.b: is equal to \"a\""},
+       {"colliders", R"([{"cylinder": {"a": [0,0,0], "b": [0,1,0], "radius": 0}}])",
+        "$.colliders[0].cylinder.radius: 0 is out"},
+       {"colliders", R"([{"capsule": {"a": [0,0,0], "radius": 1}}])",
+        "$.colliders[0].capsule.b: is"},
+       {"colliders", R"([{"box": {"center": [0,0,0], "half": [1,0,1]}}])",
+        "$.colliders[0].box.half[1]: 0 is out"}});
+}
+
+}  // namespace
+}  // namespace weft::io::test

@@ -2,7 +2,7 @@
 #
 # The kernels are compiled once per x86-64 level (namespaces omp_v2, omp_v3, omp_v4) and once by the
 # GPU compiler (cuda or hip). Contraction is off everywhere: every copy gives the same bits.
-set(WEFT_KERNEL_FLAGS -ffp-contract=off -fno-math-errno -fno-trapping-math)
+set(WEFT_KERNEL_FLAGS -fno-exceptions -ffp-contract=off -fno-math-errno -fno-trapping-math)
 
 set(WEFT_ISA_LEVELS v2)
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
@@ -13,7 +13,8 @@ endif()
 function(weft_add_host_kernels target ns march)
   add_library(${target} OBJECT ${PROJECT_SOURCE_DIR}/src/omp/backend.cpp)
   target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR}/src ${PROJECT_SOURCE_DIR}/include)
-  target_compile_definitions(${target} PRIVATE WEFT_BACKEND_NS=${ns} ${ARGN})
+  target_compile_definitions(${target} PRIVATE WEFT_BACKEND_NS=${ns}
+    WEFT_BACKEND_NAME="${ns}" WEFT_BACKEND_FACTORY=backend_${ns} ${ARGN})
   # -O3 and not -O2: g++ 12 vectorises the block loops only there.
   target_compile_options(${target} PRIVATE ${WEFT_KERNEL_FLAGS} $<$<CONFIG:Release,RelWithDebInfo>:-O3>)
   if(march)

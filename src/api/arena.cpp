@@ -1,0 +1,359 @@
+#include "api/arena.h"
+
+#include <algorithm>
+#include <cstring>
+
+#include "api/arena_fill.h"
+#include "scene/grid.h"
+
+namespace weft::api {
+
+plan::ClothShape shape_of(const ClothRecord& cloth) {
+  const scene::CookedFabric& fabric = cloth.cooked();
+  plan::ClothShape shape{};
+  shape.particles = fabric.vertices;
+  shape.directed_springs = 2 * fabric.springs;
+  shape.constant_forces = !cloth.forces.empty();
+  shape.drag = cloth.drag > 0;
+  shape.spring_damping = cloth.spring_damping > 0;
+  if (fabric.is_grid) {
+    shape.kind = static_cast<KernelKind>(fabric.grid.stencil);
+    const int reach = scene::stencil_reach(fabric.grid.stencil);
+    shape.guard = reach * static_cast<int>(fabric.grid.columns) + reach;
+  } else {
+    shape.kind = fabric.rows.stiffness.empty() ? KernelKind::mesh_uniform : KernelKind::mesh_per_spring;
+    shape.row_entries = fabric.slice_start.empty() ? 0 : fabric.slice_start.back();
+  }
+  std::vector<uint32_t> blocks;
+  for (const PinRecord& pin : cloth.pins) {
+    if (pin.can_move) blocks.push_back(fabric.storage(pin.vertex) / block_size);
+  }
+  std::sort(blocks.begin(), blocks.end());
+  blocks.erase(std::unique(blocks.begin(), blocks.end()), blocks.end());
+  shape.moving_pin_blocks = static_cast<uint32_t>(blocks.size());
+  return shape;
+}
+
+namespace {
+
+template <class T>
+class ArenaOf final : public Arena {
+ public:
+  explicit ArenaOf(ContextState& context) : context_(context), backend_(*context.backend) {}
+  ~ArenaOf() override { release(); }
+
+  Status build(const ArenaInput& in, double dt_before, double time, int threads) override {
+    release();
+    plan_ = plan::compile_plan(in.shape);
+    layout_ = plan::lay_out(in.shape, step());
+    Status status = allocate();
+    if (status != Status::ok) return status;
+    sim_ = views_of<T>(layout_, plan_, in.shape, memory_);
+
+    std::vector<char> mirror;  // where the device is not the host's own memory
+    char* image = memory_;
+    if (!backend_.info().host_memory) {
+      mirror.resize(layout_.bytes);
+      image = mirror.data();
+    } else {
+      std::memset(memory_, 0, layout_.bytes);
+    }
+    fill_image<T>(in, layout_, step(), dt_before, time, image);
+    place_pins(in, image);
+    if (!mirror.empty()) status = backend_.to_device(memory_, image, layout_.bytes);
+    if (status != Status::ok) return status;
+
+    params_.resize(in.cloths.size());
+    spheres_.resize(in.cloths.size() * in.shape.spheres);
+    planes_.resize(in.cloths.size() * in.shape.planes);
+    offsets_.resize(layout_.pin_offset == plan::absent ? 0 : size_t(in.shape.motions) * in.shape.substeps);
+    start_threads_ = threads;
+    status = upload_params(in);
+    if (status != Status::ok || in.world->start == Start::lagged) return status;
+    const bool any = std::any_of(in.cloths.begin(), in.cloths.end(), [](auto* c) { return !c->moved; });
+    if (!any) return status;
+    Frame<T> frame = make_frame(in, {1, dt_before, dt_before, time, threads});
+    status = backend_.start(frame);
+    sim_ = frame.sim;
+    return status;
+  }
+
+  Status frame(const ArenaInput& in, const FrameInput& input) override {
+    Status status = upload_colliders(in, input.time);
+    if (status == Status::ok) status = upload_pins(in, input);
+    if (status != Status::ok) return status;
+    Frame<T> frame = make_frame(in, input);
+    status = backend_.frame(frame);
+    sim_ = frame.sim;
+    return status;
+  }
+
+  Status count_not_finite(int threads, int32_t& count) override {
+    Frame<T> frame{};
+    frame.sim = sim_;
+    frame.threads = threads;
+    return backend_.count_not_finite(frame, at<int32_t>(layout_.scratch), count);
+  }
+
+  Status accelerations(double dt_before, int threads) override {
+    Frame<T> frame{};
+    frame.sim = sim_;
+    frame.threads = threads;
+    frame.substeps = 1;
+    frame.position_form = position_form_;
+    frame.dt = frame.dt_before = dt_before;
+    frame.gravity = gravity_;
+    return backend_.accelerations(frame);
+  }
+
+  Status read(const ClothRecord& cloth, StateArray which, std::vector<double3>& out) override {
+    const uint32_t vertices = cloth.cooked().vertices;
+    out.resize(vertices);
+    std::vector<Vec3<T>> now, before;
+    const bool difference = which == StateArray::displacement && position_form_;
+    Status status = fetch(which == StateArray::acceleration ? sim_.x[1]
+                          : which == StateArray::displacement && !position_form_ ? sim_.d[0]
+                                                                                 : sim_.x[0],
+                          cloth.first, vertices, now);
+    if (status == Status::ok && difference) status = fetch(sim_.x[2], cloth.first, vertices, before);
+    if (status != Status::ok) return status;
+    for (uint32_t v = 0; v < vertices; ++v) {
+      const uint32_t s = cloth.cooked().storage(v);
+      out[v] = {now[s].x, now[s].y, now[s].z};
+      if (difference) out[v] = minus(out[v], {before[s].x, before[s].y, before[s].z});
+    }
+    return Status::ok;
+  }
+
+  Status save(const ArenaInput& in) override {
+    std::vector<Vec3<T>> values;
+    for (ClothRecord* cloth : in.cloths) {
+      if (!cloth->moved) continue;
+      for (const bool position : {true, false}) {
+        const Vec3Array<T> from = position ? sim_.x[0] : position_form_ ? sim_.x[2] : sim_.d[0];
+        const Status status = fetch(from, cloth->first, cloth->cooked().vertices, values);
+        if (status != Status::ok) return status;
+        std::vector<double3>& to = position ? cloth->saved_x : cloth->saved_d;
+        to.resize(values.size());
+        for (size_t i = 0; i < values.size(); ++i) to[i] = {values[i].x, values[i].y, values[i].z};
+      }
+    }
+    return Status::ok;
+  }
+
+  uint64_t bytes() const override { return layout_.bytes; }
+
+ private:
+  int step() const { return backend_.info().particle_step; }
+  template <class E>
+  E* at(size_t offset) const {
+    return reinterpret_cast<E*>(memory_ + offset);
+  }
+
+  Status allocate() {
+    memory_ = static_cast<char*>(backend_.allocate(context_.memory.hooks(), layout_.bytes));
+    if (!memory_) {
+      const size_t wanted = layout_.bytes;
+      layout_.bytes = 0;
+      return context_.fail(Status::out_of_memory,
+                           text("no %zu bytes of device memory (the scene needs them) make it smaller",
+                                wanted));
+    }
+    if (!backend_.info().host_memory) context_.memory.count(static_cast<std::ptrdiff_t>(layout_.bytes));
+    return Status::ok;
+  }
+  void release() {
+    if (!memory_) return;
+    backend_.release(context_.memory.hooks(), memory_, layout_.bytes);
+    if (!backend_.info().host_memory) context_.memory.count(-static_cast<std::ptrdiff_t>(layout_.bytes));
+    memory_ = nullptr;
+  }
+
+  Frame<T> make_frame(const ArenaInput& in, const FrameInput& input) {
+    position_form_ = in.world->form == Form::position;
+    gravity_ = narrow<T>(in.world->gravity);
+    Frame<T> frame{};
+    frame.sim = sim_;
+    frame.substeps = input.substeps;
+    frame.position_form = position_form_;
+    frame.dt = input.dt;
+    frame.dt_before = input.dt_before;
+    frame.gravity = gravity_;
+    frame.threads = input.threads;
+    return frame;
+  }
+
+  /// Parameters of the cloths; those that have moved since the last upload no longer start.
+  Status upload_params(const ArenaInput& in) {
+    position_form_ = in.world->form == Form::position;
+    gravity_ = narrow<T>(in.world->gravity);
+    fill_params(in, params_);
+    return backend_.to_device(at<ClothParams<T>>(layout_.cloths), params_.data(),
+                              params_.size() * sizeof(ClothParams<T>));
+  }
+
+  /// Colliders at the start of the frame, in each cloth's own frame.
+  Status upload_colliders(const ArenaInput& in, double time) {
+    size_t s = 0, p = 0;
+    for (const ClothRecord* cloth : in.cloths) {
+      for (const ColliderRecord& c : *in.colliders) {
+        const double age = time - c.since;
+        if (!c.id) continue;
+        if (c.is_sphere) {
+          const double3 center = minus(plus(c.point, times(age, c.velocity)), cloth->origin);
+          spheres_[s++] = {narrow<T>(center), narrow<T>(c.velocity), static_cast<T>(c.size)};
+        } else {
+          const auto along = [&](const double3& v) {
+            return c.point.x * v.x + c.point.y * v.y + c.point.z * v.z;
+          };
+          const double speed = along(c.velocity);
+          planes_[p++] = {narrow<T>(c.point),
+                          static_cast<T>(c.size + speed * age - along(cloth->origin)),
+                          static_cast<T>(speed)};
+        }
+      }
+    }
+    Status status = Status::ok;
+    if (s > 0) {
+      status = backend_.to_device(at<char>(layout_.spheres), spheres_.data(), s * sizeof(Sphere<T>));
+    }
+    if (status == Status::ok && p > 0) {
+      status = backend_.to_device(at<char>(layout_.planes), planes_.data(), p * sizeof(Plane<T>));
+    }
+    return status;
+  }
+
+  struct PinSlot {
+    const ClothRecord* cloth;
+    size_t pin;
+    int64_t slot;
+  };
+
+  /// Gives a slot to every pin that can move, block by block, and names the blocks in the image.
+  void place_pins(const ArenaInput& in, char* image) {
+    pin_slots_.clear();
+    if (layout_.block_pins == plan::absent) return;
+    auto* of_block = reinterpret_cast<int32_t*>(image + layout_.block_pins);
+    std::fill_n(of_block, in.shape.blocks(), -1);
+    int next = 0;
+    for (const ClothRecord* cloth : in.cloths) {
+      for (size_t p = 0; p < cloth->pins.size(); ++p) {
+        if (!cloth->pins[p].can_move) continue;
+        const int i = cloth->first + static_cast<int>(cloth->cooked().storage(cloth->pins[p].vertex));
+        int32_t& slot_block = of_block[i / block_size];
+        if (slot_block < 0) slot_block = next++;
+        pin_slots_.push_back({cloth, p, int64_t(slot_block) * block_size + i % block_size});
+      }
+    }
+    const size_t slots = size_t(next) * block_size;
+    pin_motion_.assign(slots, -1);
+    pin_base_.assign(3 * slots, T(0));
+    pin_glide_.assign(3 * slots, T(0));
+    pin_elements_ = slots;
+  }
+
+  /// Targets of the moving pins for one frame.
+  Status upload_pins(const ArenaInput& in, const FrameInput& input) {
+    if (pin_slots_.empty()) return Status::ok;
+    for (const PinSlot& s : pin_slots_) {
+      const PinRecord& pin = s.cloth->pins[s.pin];
+      const double3 base = minus(pin.base, s.cloth->origin);
+      set_slot(pin_base_, s.slot, base);
+      set_slot(pin_glide_, s.slot,
+               pin.gliding ? minus(pin.target, pin.base) : double3{0, 0, 0});
+      pin_motion_[size_t(s.slot)] = pin.motion < 0 ? 0 : s.cloth->motion_first + pin.motion;
+    }
+    for (int k = 0; k < input.substeps; ++k) {
+      Vec3<T>* row = offsets_.data() + size_t(k) * in.shape.motions;
+      row[0] = {T(0), T(0), T(0)};
+      const double time = input.time + (k + 1) * input.dt;
+      for (const ClothRecord* cloth : in.cloths) {
+        for (size_t m = 0; m < cloth->motions.size(); ++m) {
+          row[size_t(cloth->motion_first) + m] = narrow<T>(motion_offset(cloth->motions[m], time));
+        }
+      }
+    }
+    Status status = to_vectors(sim_.pins.base, pin_base_);
+    if (status == Status::ok) status = to_vectors(sim_.pins.glide, pin_glide_);
+    if (status == Status::ok) {
+      status = backend_.to_device(at<char>(layout_.pin_motion), pin_motion_.data(),
+                                  pin_motion_.size() * sizeof(int32_t));
+    }
+    if (status == Status::ok) {
+      status = backend_.to_device(at<char>(layout_.pin_offset), offsets_.data(),
+                                  size_t(input.substeps) * in.shape.motions * sizeof(Vec3<T>));
+    }
+    return status;
+  }
+
+  void set_slot(std::vector<T>& planar, int64_t slot, const double3& v) {
+    planar[size_t(slot)] = static_cast<T>(v.x);
+    planar[size_t(slot) + pin_elements_] = static_cast<T>(v.y);
+    planar[size_t(slot) + 2 * pin_elements_] = static_cast<T>(v.z);
+  }
+
+  /// Copies planar host values to an array of vectors in the back end's layout.
+  Status to_vectors(const Vec3Array<T>& to, const std::vector<T>& planar) {
+    const size_t n = planar.size() / 3;
+    for (size_t c = 0; c < 3; ++c) {
+      if (step() == 1) {
+        const Status status =
+            backend_.to_device(to.data + c * to.pitch, planar.data() + c * n, n * sizeof(T));
+        if (status != Status::ok) return status;
+        continue;
+      }
+      for (size_t i = 0; i < n; ++i) {
+        const Status status = backend_.to_device(to.data + i * size_t(step()) + c * to.pitch,
+                                                 &planar[c * n + i], sizeof(T));
+        if (status != Status::ok) return status;
+      }
+    }
+    return Status::ok;
+  }
+
+  /// Reads elements [first, first + count) of an array of vectors.
+  Status fetch(const Vec3Array<T>& from, int first, size_t count, std::vector<Vec3<T>>& out) {
+    out.resize(count);
+    if (count == 0) return Status::ok;
+    const size_t step = static_cast<size_t>(this->step());
+    std::vector<T> line((count - 1) * step + 1);
+    for (size_t c = 0; c < 3; ++c) {
+      const Status status = backend_.to_host(line.data(), from.data + size_t(first) * step + c * from.pitch,
+                                             line.size() * sizeof(T));
+      if (status != Status::ok) return status;
+      T Vec3<T>::*const member = c == 0 ? &Vec3<T>::x : c == 1 ? &Vec3<T>::y : &Vec3<T>::z;
+      for (size_t i = 0; i < count; ++i) out[i].*member = line[i * step];
+    }
+    return Status::ok;
+  }
+
+  ContextState& context_;
+  const Backend& backend_;
+  plan::Plan plan_;
+  plan::Layout layout_;
+  char* memory_ = nullptr;
+  Simulation<T> sim_{};
+  Vec3<T> gravity_{};
+  bool position_form_ = false;
+  int start_threads_ = 1;
+
+  // Staging of what changes every frame; sized when the arena is built, so that a step allocates
+  // nothing.
+  std::vector<ClothParams<T>> params_;
+  std::vector<Sphere<T>> spheres_;
+  std::vector<Plane<T>> planes_;
+  std::vector<PinSlot> pin_slots_;
+  std::vector<int32_t> pin_motion_;
+  std::vector<T> pin_base_, pin_glide_;
+  std::vector<Vec3<T>> offsets_;
+  size_t pin_elements_ = 0;
+};
+
+}  // namespace
+
+std::unique_ptr<Arena> make_arena(Precision precision, ContextState& context) {
+  if (precision == Precision::float64) return std::make_unique<ArenaOf<double>>(context);
+  return std::make_unique<ArenaOf<float>>(context);
+}
+
+}  // namespace weft::api

@@ -1,0 +1,52 @@
+// The device memory of a world: cut by the plan's layout, filled from the records, advanced by the
+// back end. One class per precision behind one interface.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "api/cloth.h"
+#include "api/context_state.h"
+#include "plan/layout.h"
+#include "plan/plan.h"
+
+namespace weft::api {
+
+/// The cloths and colliders that an arena is made for, in arena order, and how they are stepped.
+struct ArenaInput {
+  const WorldDesc* world;
+  std::vector<ClothRecord*> cloths;  ///< by kernel, then by creation
+  const std::vector<ColliderRecord>* colliders;
+  plan::WorldShape shape;
+};
+
+/// Kernel that a cloth is advanced by, and its numbers for the plan.
+plan::ClothShape shape_of(const ClothRecord&);
+
+struct FrameInput {
+  int substeps;
+  double dt, dt_before;  ///< s, of a substep
+  double time;           ///< s, at the start of the frame
+  int threads;
+};
+
+enum class StateArray : uint8_t { position, displacement, acceleration };
+
+class Arena {
+ public:
+  virtual ~Arena() = default;
+  /// Fills and uploads; runs the start pass of cloths that have not moved. `time`: of the world.
+  virtual Status build(const ArenaInput&, double dt_before, double time, int threads) = 0;
+  /// Copies the state of every moved cloth to its record.
+  virtual Status save(const ArenaInput&) = 0;
+  virtual Status frame(const ArenaInput&, const FrameInput&) = 0;
+  virtual Status count_not_finite(int threads, int32_t& count) = 0;
+  virtual Status accelerations(double dt_before, int threads) = 0;
+  /// Of one cloth in caller order; positions are local. Accelerations: after accelerations().
+  virtual Status read(const ClothRecord&, StateArray, std::vector<double3>& out) = 0;
+  virtual uint64_t bytes() const = 0;
+};
+
+std::unique_ptr<Arena> make_arena(Precision, ContextState&);
+
+}  // namespace weft::api

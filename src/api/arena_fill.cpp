@@ -1,0 +1,267 @@
+#include "api/arena_fill.h"
+
+#include <cmath>
+
+#include "scene/grid.h"
+
+namespace weft::api {
+
+namespace {
+
+int slices_of(const ClothRecord& cloth) {
+  return static_cast<int>((cloth.cooked().vertices + block_size - 1) / block_size);
+}
+
+/// Displacement of the substep before the present one.
+double3 start_displacement(const ClothRecord& cloth, uint32_t v, double dt, double time) {
+  if (const PinRecord* pin = cloth.pin_of(v)) {
+    if (pin->motion < 0) return {0, 0, 0};
+    const PinMotion& m = cloth.motions[static_cast<size_t>(pin->motion)];
+    return minus(motion_offset(m, time), motion_offset(m, time - dt));
+  }
+  return times(dt, cloth.velocities.empty() ? cloth.velocity : cloth.velocities[v]);
+}
+
+template <class T>
+class ImageFiller {
+ public:
+  ImageFiller(const ArenaInput& in, const plan::Layout& layout, int step, char* image)
+      : in_(in), layout_(layout), step_(step), image_(image) {}
+
+  void fill(double dt_before, double time) {
+    for (size_t c = 0; c < in_.cloths.size(); ++c) {
+      ClothRecord& cloth = *in_.cloths[c];
+      cloth.params = static_cast<int>(c);
+      cloth.first = next_;
+      for (int b = 0; b < slices_of(cloth); ++b) {
+        array<int32_t>(layout_.block_cloth)[next_ / block_size + b] = cloth.params;
+      }
+      fill_state(cloth, dt_before, time);
+      if (cloth.cooked().is_grid) {
+        fill_presence(cloth);
+      } else {
+        fill_rows(cloth);
+      }
+      fill_forces(cloth);
+      next_ += slices_of(cloth) * block_size;
+    }
+  }
+
+ private:
+  template <class E>
+  E* array(size_t offset) const {
+    return reinterpret_cast<E*>(image_ + offset);
+  }
+  VectorWriter<T> vectors(const plan::VectorArray& a) const { return {a, step_, image_}; }
+
+  void fill_state(const ClothRecord& cloth, double dt_before, double time) {
+    const bool position_form = in_.world->form == Form::position;
+    const VectorWriter<T> x = vectors(layout_.x[0]);
+    const VectorWriter<T> d = vectors(position_form ? layout_.x[2] : layout_.d[0]);
+    T* w = array<T>(layout_.inverse_mass);
+    const uint32_t vertices = cloth.cooked().vertices;
+    for (uint32_t v = 0; v < vertices; ++v) {
+      const int64_t i = cloth.first + int64_t(cloth.cooked().storage(v));
+      w[i] = cloth.pin_of(v) ? T(0) : static_cast<T>(1 / cloth.cooked().mass_of(v));
+      if (cloth.moved) {
+        x.set(i, narrow<T>(cloth.saved_x[size_t(i - cloth.first)]));
+        d.set(i, narrow<T>(cloth.saved_d[size_t(i - cloth.first)]));
+        continue;
+      }
+      const double3 at = minus(start_position(cloth, v), cloth.origin);
+      const double3 by = start_displacement(cloth, v, dt_before, time);
+      x.set(i, narrow<T>(at));
+      d.set(i, narrow<T>(position_form ? minus(at, by) : by));
+    }
+  }
+
+  /// Presence bits and, per block, whether any are missing.
+  void fill_presence(const ClothRecord& cloth) {
+    const scene::GridShape& grid = cloth.cooked().grid;
+    const scene::StencilTable& table = scene::stencil_table(grid.stencil);
+    const int reach = scene::stencil_reach(grid.stencil);
+    const auto all = static_cast<uint16_t>((1u << table.count) - 1);
+    uint16_t* presence = array<uint16_t>(layout_.presence) + cloth.first;
+    uint8_t* inner = array<uint8_t>(layout_.block_inner) + cloth.first / block_size;
+    const int blocks = slices_of(cloth);
+    for (int b = 0; b < blocks; ++b) inner[b] = 1;
+    uint32_t v = 0;
+    for (uint32_t row = 0; row < grid.rows; ++row) {
+      const bool row_inside = row >= uint32_t(reach) && row + uint32_t(reach) < grid.rows;
+      for (uint32_t column = 0; column < grid.columns; ++column, ++v) {
+        const bool inside = row_inside && column >= uint32_t(reach) &&
+                            column + uint32_t(reach) < grid.columns;
+        uint16_t bits = all;
+        if (!inside) {
+          bits = 0;
+          for (int k = 0; k < table.count; ++k) {
+            if (scene::has_neighbour(grid, row, column, table.offset[k])) {
+              bits = static_cast<uint16_t>(bits | (1u << k));
+            }
+          }
+          inner[v / block_size] = 0;
+        }
+        presence[v] = bits;
+      }
+    }
+    if (v % block_size != 0) inner[blocks - 1] = 0;  // padding has no neighbours
+  }
+
+  void fill_rows(const ClothRecord& cloth) {
+    const scene::CookedFabric& fabric = cloth.cooked();
+    const scene::SpringRows& rows = fabric.rows;
+    std::vector<Vec3<T>> rest_shape(fabric.vertices);
+    for (uint32_t v = 0; v < fabric.vertices; ++v) {
+      rest_shape[v] = narrow<T>(minus(posed(cloth, v), cloth.origin));
+    }
+    int64_t* start = array<int64_t>(layout_.slice_start) + slice_;
+    int32_t* neighbour = array<int32_t>(layout_.neighbour);
+    T* rest = array<T>(layout_.rest);
+    T* stiffness = layout_.stiffness == plan::absent ? nullptr : array<T>(layout_.stiffness);
+    const int slices = slices_of(cloth);
+    for (int s = 0; s < slices; ++s) {
+      const int64_t first = entry_ + fabric.slice_start[size_t(s)];
+      start[s] = first;
+      start[s + 1] = entry_ + fabric.slice_start[size_t(s) + 1];
+      for (int lane = 0; lane < block_size; ++lane) {
+        const int self = s * block_size + lane;
+        int64_t e = first + lane;
+        if (self < static_cast<int>(fabric.vertices)) {
+          const uint32_t v = fabric.caller_of[size_t(self)];
+          for (uint64_t k = rows.start[v]; k < rows.start[size_t(v) + 1]; ++k, e += block_size) {
+            const uint32_t n = rows.neighbour[k];
+            neighbour[e] = cloth.first + static_cast<int32_t>(fabric.storage_of[n]);
+            const double given = rows.rest.empty() ? fabric.rest_length : rows.rest[k];
+            rest[e] = given >= 0 ? static_cast<T>(given) : distance(rest_shape[v], rest_shape[n]);
+            if (stiffness) {
+              stiffness[e] = static_cast<T>(rows.stiffness.empty() ? fabric.stiffness.stretch
+                                                                   : rows.stiffness[k]);
+            }
+          }
+        }
+        for (; e < start[s + 1]; e += block_size) neighbour[e] = cloth.first + self;
+      }
+    }
+    slice_ += slices;
+    entry_ += fabric.slice_start[size_t(slices)];
+  }
+
+  /// In the expression of kernels/spring.h, so that a rest shape pulls nothing to the last bit.
+  static T distance(const Vec3<T>& a, const Vec3<T>& b) {
+    const T x = b.x - a.x, y = b.y - a.y, z = b.z - a.z;
+    return std::sqrt(x * x + y * y + z * z);
+  }
+
+  void fill_forces(const ClothRecord& cloth) {
+    if (cloth.forces.empty()) return;
+    const VectorWriter<T> force = vectors(layout_.force);
+    for (const VertexForce& f : cloth.forces) {
+      force.set(forced_ + int64_t(cloth.cooked().storage(f.vertex)), narrow<T>(f.force));
+    }
+    forced_ += slices_of(cloth) * block_size;
+  }
+
+  const ArenaInput& in_;
+  const plan::Layout& layout_;
+  int step_;
+  char* image_;
+  int next_ = 0, slice_ = 0, forced_ = 0;
+  int64_t entry_ = 0;
+};
+
+template <class T>
+void fill_grid_constants(const scene::CookedFabric& fabric, ClothParams<T>& p) {
+  const scene::GridShape& grid = fabric.grid;
+  const scene::StencilTable& table = scene::stencil_table(grid.stencil);
+  p.columns = static_cast<int>(grid.columns);
+  for (int k = 0; k < table.count; ++k) {
+    const scene::StencilOffset o = table.offset[k];
+    p.stiffness[k] = static_cast<T>(scene::stencil_stiffness(o, fabric.stiffness));
+    const T x = static_cast<T>(o.column * grid.column_spacing);
+    const T y = static_cast<T>(o.row * grid.row_spacing);
+    p.rest[k] = fabric.rest_length >= 0 ? static_cast<T>(fabric.rest_length)
+                                        : std::sqrt(x * x + y * y);
+  }
+}
+
+}  // namespace
+
+template <class T>
+void fill_image(const ArenaInput& in, const plan::Layout& layout, int particle_step,
+                double dt_before, double time, char* image) {
+  ImageFiller<T>(in, layout, particle_step, image).fill(dt_before, time);
+}
+
+template <class T>
+void fill_params(const ArenaInput& in, std::vector<ClothParams<T>>& out) {
+  const int spheres = static_cast<int>(in.shape.spheres), planes = static_cast<int>(in.shape.planes);
+  int forced = 0;
+  for (size_t c = 0; c < in.cloths.size(); ++c) {
+    const ClothRecord& cloth = *in.cloths[c];
+    ClothParams<T> p{};
+    p.first = cloth.first;
+    if (cloth.cooked().is_grid) {
+      fill_grid_constants(cloth.cooked(), p);
+    } else {
+      p.stiffness[0] = static_cast<T>(cloth.cooked().stiffness.stretch);
+    }
+    p.drag = static_cast<T>(cloth.drag);
+    p.spring_damping = static_cast<T>(cloth.spring_damping);
+    const Drag model = cloth.drag_model == DragModel::central ? Drag::central : Drag::lagged;
+    p.drag_model = static_cast<int>(cloth.drag > 0 ? model : Drag::none);
+    p.starting = cloth.moved ? 0 : 1;
+    p.force_offset = cloth.forces.empty() ? no_forces : forced - cloth.first;
+    if (!cloth.forces.empty()) forced += slices_of(cloth) * block_size;
+    p.sphere_first = static_cast<int>(c) * spheres;
+    p.sphere_end = p.sphere_first + spheres;
+    p.plane_first = static_cast<int>(c) * planes;
+    p.plane_end = p.plane_first + planes;
+    out[c] = p;
+  }
+}
+
+template <class T>
+Simulation<T> views_of(const plan::Layout& l, const plan::Plan& plan, const plan::WorldShape& shape,
+                       char* base) {
+  const auto at = [base](size_t offset) { return offset == plan::absent ? nullptr : base + offset; };
+  const auto vectors = [&](const plan::VectorArray& a) {
+    return Vec3Array<T>{reinterpret_cast<T*>(at(a.offset)), a.pitch};
+  };
+  Simulation<T> sim{};
+  sim.blocks = static_cast<int>(shape.blocks());
+  sim.cloths = reinterpret_cast<const ClothParams<T>*>(at(l.cloths));
+  sim.block = {reinterpret_cast<const int32_t*>(at(l.block_cloth)),
+               reinterpret_cast<const uint8_t*>(at(l.block_inner)),
+               reinterpret_cast<const int32_t*>(at(l.block_pins))};
+  sim.presence = reinterpret_cast<const uint16_t*>(at(l.presence));
+  sim.inverse_mass = reinterpret_cast<const T*>(at(l.inverse_mass));
+  sim.force = vectors(l.force);
+  int row_block = 0;
+  for (const BlockRange& r : plan.ranges) {
+    sim.ranges[sim.range_count++] = r;
+    if (plan::is_grid(r.kind)) row_block = r.first + r.count;
+  }
+  sim.rows = {reinterpret_cast<const int64_t*>(at(l.slice_start)),
+              reinterpret_cast<const int32_t*>(at(l.neighbour)),
+              reinterpret_cast<const T*>(at(l.rest)), reinterpret_cast<const T*>(at(l.stiffness)),
+              row_block};
+  sim.colliders = {reinterpret_cast<const Sphere<T>*>(at(l.spheres)),
+                   reinterpret_cast<const Plane<T>*>(at(l.planes))};
+  sim.pins = {vectors(l.pin_base), vectors(l.pin_glide),
+              reinterpret_cast<const int32_t*>(at(l.pin_motion)),
+              reinterpret_cast<const Vec3<T>*>(at(l.pin_offset)), static_cast<int>(shape.motions)};
+  for (int k = 0; k < 3; ++k) sim.x[k] = vectors(l.x[k]);
+  for (int k = 0; k < 2; ++k) sim.d[k] = vectors(l.d[k]);
+  return sim;
+}
+
+template Simulation<float> views_of(const plan::Layout&, const plan::Plan&, const plan::WorldShape&,
+                                    char*);
+template Simulation<double> views_of(const plan::Layout&, const plan::Plan&, const plan::WorldShape&,
+                                     char*);
+template void fill_image<float>(const ArenaInput&, const plan::Layout&, int, double, double, char*);
+template void fill_image<double>(const ArenaInput&, const plan::Layout&, int, double, double, char*);
+template void fill_params(const ArenaInput&, std::vector<ClothParams<float>>&);
+template void fill_params(const ArenaInput&, std::vector<ClothParams<double>>&);
+
+}  // namespace weft::api

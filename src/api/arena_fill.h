@@ -1,0 +1,53 @@
+// Fills a host image of a world's device memory from the records.
+#pragma once
+
+#include "api/arena.h"
+
+namespace weft::api {
+
+/// The arrays of an image (or of device memory) at `base`.
+template <class T>
+Simulation<T> views_of(const plan::Layout&, const plan::Plan&, const plan::WorldShape&, char* base);
+
+/// Everything but colliders, pins and motions, which change from frame to frame. Sets the records'
+/// places in the arena.
+template <class T>
+void fill_image(const ArenaInput&, const plan::Layout&, int particle_step, double dt_before,
+                double time, char* image);
+
+/// Parameters of the cloths; `starting` marks those that have not moved.
+template <class T>
+void fill_params(const ArenaInput&, std::vector<ClothParams<T>>& out);
+
+template <class T>
+Vec3<T> narrow(const double3& v) {
+  return {static_cast<T>(v.x), static_cast<T>(v.y), static_cast<T>(v.z)};
+}
+inline double3 minus(const double3& a, const double3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+inline double3 plus(const double3& a, const double3& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+inline double3 times(double s, const double3& a) { return {s * a.x, s * a.y, s * a.z}; }
+
+/// Element i of an array of vectors in an image.
+template <class T>
+class VectorWriter {
+ public:
+  VectorWriter(const plan::VectorArray& array, int step, char* image)
+      : data_(reinterpret_cast<T*>(image + array.offset)), pitch_(array.pitch), step_(step) {}
+  void set(int64_t i, const Vec3<T>& v) const {
+    T* p = data_ + i * step_;
+    p[0] = v.x;
+    p[pitch_] = v.y;
+    p[2 * pitch_] = v.z;
+  }
+  Vec3<T> get(int64_t i) const {
+    const T* p = data_ + i * step_;
+    return {p[0], p[pitch_], p[2 * pitch_]};
+  }
+
+ private:
+  T* data_;
+  size_t pitch_;
+  int64_t step_;
+};
+
+}  // namespace weft::api

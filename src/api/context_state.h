@@ -1,0 +1,65 @@
+// What a context holds. Fabrics and worlds share it, so the order of destruction is free.
+#pragma once
+
+#include <memory>
+#include <mutex>
+#include <new>
+#include <string>
+
+#include "api/memory.h"
+#include "api/registry.h"
+#include "base/message.h"
+#include "scene/fabric.h"
+
+namespace weft {
+namespace api {
+
+struct ContextState {
+  explicit ContextState(const ContextDesc& desc) : memory(desc.allocator), log(desc.log) {}
+
+  void say(Severity severity, const std::string& message) noexcept {
+    if (log.message) log.message(log.user, severity, message.c_str());
+  }
+  Status fail(Status status, const std::string& message) noexcept {
+    say(Severity::error, message);
+    return status;
+  }
+
+  ContextMemory memory;
+  Log log;
+  const Backend* backend = nullptr;
+  uint32_t threads = 1;
+  std::string fallback;
+};
+
+/// Runs `body`, which returns a Status, and turns what it throws into one.
+template <class Body>
+Status guarded(ContextState& context, const Body& body) noexcept {
+  try {
+    return body();
+  } catch (const InvalidInput& problem) {
+    return context.fail(Status::invalid_argument, problem.what());
+  } catch (const std::bad_alloc&) {
+    return context.fail(Status::out_of_memory,
+                        "out of memory (the allocator gave none) free some or make the scene smaller");
+  }
+}
+
+}  // namespace api
+
+inline namespace v0 {
+struct Context::Impl {
+  std::shared_ptr<api::ContextState> state;
+};
+
+struct Fabric::Impl {
+  explicit Impl(std::shared_ptr<api::ContextState> owner)
+      : context(std::move(owner)), cooked(&context->memory) {}
+
+  std::shared_ptr<api::ContextState> context;
+  std::atomic<uint32_t> references{1};
+  scene::CookedFabric cooked;
+  std::pmr::vector<Diagnostic> diagnostics{&context->memory};
+};
+}  // namespace v0
+}  // namespace weft

@@ -1,0 +1,18 @@
+// The back ends of this build. The only place that asks which optional ones there are.
+#pragma once
+
+#include <string>
+
+#include "step/backend.h"
+#include "weft/context.hpp"
+
+namespace weft::api {
+
+struct BackendChoice {
+  const Backend* backend = nullptr;
+  std::string refusal;   ///< why there is none
+  std::string fallback;  ///< why a GPU of this build is not used
+};
+BackendChoice choose_backend(BackendKind, Isa);
+
+}  // namespace weft::api

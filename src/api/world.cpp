@@ -1,0 +1,261 @@
+#include <algorithm>
+#include <cmath>
+
+#include "api/world_state.h"
+#include "scene/check.h"
+
+namespace weft {
+
+namespace api {
+
+void check_world(const WorldDesc& desc) {
+  scene::check_finite(desc.gravity.x, "gravity.x");
+  scene::check_finite(desc.gravity.y, "gravity.y");
+  scene::check_finite(desc.gravity.z, "gravity.z");
+  if (!(desc.safety > 0) || desc.safety > 1) {
+    throw InvalidInput(text("safety is %g (a step is safe at a fraction of the bound) give a value in "
+                            "(0, 1]",
+                            desc.safety));
+  }
+}
+
+static double3 checked_vector(const double3& v, const char* field) {
+  scene::check_finite(v.x, field);
+  scene::check_finite(v.y, field);
+  scene::check_finite(v.z, field);
+  return v;
+}
+
+static void check_frictionless(double friction) {
+  scene::check_not_negative(friction, "friction");
+  if (friction > 0) {
+    throw InvalidInput(text("friction is %g (colliders with friction are not available in this "
+                            "version) give 0",
+                            friction));
+  }
+}
+
+}  // namespace api
+
+inline namespace v0 {
+
+World::Impl::Impl(std::shared_ptr<api::ContextState> owner, const WorldDesc& world_desc)
+    : context(std::move(owner)), desc(world_desc), arena(api::make_arena(desc.precision, *context)) {
+  events.reserve(16);
+}
+
+api::ClothRecord* World::Impl::find(ClothId id) noexcept {
+  if (!id || id.index >= cloths.size() || !cloths[id.index]) return nullptr;
+  return cloths[id.index]->id == id ? cloths[id.index].get() : nullptr;
+}
+
+Status World::Impl::stale(const char* what, uint32_t index) noexcept {
+  return context->fail(Status::invalid_handle,
+                       text("%s id %u names nothing (null, destroyed, or of another world) use the id "
+                            "that its creation returned",
+                            what, index));
+}
+
+ClothId World::Impl::next_cloth_id() {
+  for (uint32_t slot = 0; slot < cloths.size(); ++slot) {
+    if (!cloths[slot]) return {slot, ++generations[slot]};
+  }
+  cloths.emplace_back();
+  generations.push_back(1);
+  return {static_cast<uint32_t>(cloths.size() - 1), 1};
+}
+
+World::World(World&& other) noexcept : impl_(other.impl_) { other.impl_ = nullptr; }
+World& World::operator=(World&& other) noexcept {
+  std::swap(impl_, other.impl_);
+  return *this;
+}
+World::~World() { delete impl_; }
+
+Result<ClothId> World::create_cloth(const ClothDesc& cloth_desc) noexcept {
+  if (!impl_) return Status::invalid_handle;
+  ClothId id;
+  const Status status = api::guarded(*impl_->context, [&] {
+    auto record = std::make_unique<api::ClothRecord>(&impl_->context->memory);
+    fill_record(cloth_desc, *record);
+    impl_->order.reserve(impl_->order.size() + 1);
+    id = impl_->next_cloth_id();
+    record->id = id;
+    impl_->cloths[id.index] = std::move(record);
+    impl_->order.push_back(id);
+    impl_->dirty = true;
+    return Status::ok;
+  });
+  if (status != Status::ok) return status;
+  return id;
+}
+
+Status World::destroy_cloth(ClothId id) noexcept {
+  if (!impl_) return Status::invalid_handle;
+  if (!impl_->find(id)) return impl_->stale("cloth", id.index);
+  return api::guarded(*impl_->context, [&] {
+    // The others' state must come to the host while the arena still matches its records.
+    if (impl_->built) {
+      const Status status = impl_->arena->save(*impl_->built);
+      if (status != Status::ok) return status;
+    }
+    impl_->dirty = true;
+    impl_->built.reset();
+    impl_->order.erase(std::find(impl_->order.begin(), impl_->order.end(), id));
+    impl_->cloths[id.index].reset();
+    return Status::ok;
+  });
+}
+
+bool World::valid(ClothId id) const noexcept { return impl_ && impl_->find(id) != nullptr; }
+
+static Result<ColliderId> add_collider(World::Impl* impl, const api::ColliderRecord& made) {
+  api::ColliderRecord record = made;
+  record.since = impl->time;
+  for (uint32_t slot = 0; slot < impl->colliders.size(); ++slot) {
+    if (impl->colliders[slot].id) continue;
+    record.id = {slot, ++impl->collider_generations[slot]};
+    impl->colliders[slot] = record;
+    return record.id;
+  }
+  record.id = {static_cast<uint32_t>(impl->colliders.size()), 1};
+  impl->colliders.push_back(record);
+  impl->collider_generations.push_back(1);
+  return record.id;
+}
+
+Result<ColliderId> World::create_sphere(const SphereDesc& sphere) noexcept {
+  if (!impl_) return Status::invalid_handle;
+  Result<ColliderId> made = Status::invalid_argument;
+  const Status status = api::guarded(*impl_->context, [&] {
+    api::ColliderRecord record;
+    record.point = api::checked_vector(sphere.center, "sphere.center");
+    scene::check_positive(sphere.radius, "sphere.radius");
+    record.size = sphere.radius;
+    record.velocity = api::checked_vector(sphere.velocity, "sphere.velocity");
+    api::check_frictionless(sphere.friction);
+    made = add_collider(impl_, record);
+    impl_->dirty = true;
+    return Status::ok;
+  });
+  return status == Status::ok ? made : Result<ColliderId>(status);
+}
+
+Result<ColliderId> World::create_plane(const PlaneDesc& plane) noexcept {
+  if (!impl_) return Status::invalid_handle;
+  Result<ColliderId> made = Status::invalid_argument;
+  const Status status = api::guarded(*impl_->context, [&] {
+    api::ColliderRecord record;
+    record.is_sphere = false;
+    const double3 n = api::checked_vector(plane.normal, "plane.normal");
+    const double length = std::sqrt(n.x * n.x + n.y * n.y + n.z * n.z);
+    if (!(length > 0) || !std::isfinite(length)) {
+      throw InvalidInput(text("plane.normal is (%g, %g, %g) (it has no direction) give a vector of "
+                              "ordinary length",
+                              n.x, n.y, n.z));
+    }
+    record.point = {n.x / length, n.y / length, n.z / length};
+    scene::check_finite(plane.offset, "plane.offset");
+    record.size = plane.offset;
+    record.velocity = api::checked_vector(plane.velocity, "plane.velocity");
+    api::check_frictionless(plane.friction);
+    made = add_collider(impl_, record);
+    impl_->dirty = true;
+    return Status::ok;
+  });
+  return status == Status::ok ? made : Result<ColliderId>(status);
+}
+
+Status World::destroy_collider(ColliderId id) noexcept {
+  if (!impl_) return Status::invalid_handle;
+  if (!id || id.index >= impl_->colliders.size() || impl_->colliders[id.index].id != id) {
+    return impl_->stale("collider", id.index);
+  }
+  impl_->colliders[id.index].id = {};
+  impl_->dirty = true;
+  return Status::ok;
+}
+
+Status World::set_gravity(double3 gravity) noexcept {
+  if (!impl_) return Status::invalid_handle;
+  return api::guarded(*impl_->context, [&] {
+    impl_->desc.gravity = api::checked_vector(gravity, "gravity");
+    impl_->dirty |= impl_->starting;  // the start displacements depend on it
+    return Status::ok;
+  });
+}
+
+/// Every vertex must exist; `pinned`: each must have a pin.
+static void check_vertices(const api::ClothRecord& cloth, View<uint32_t> vertices, bool pinned) {
+  scene::check_view(vertices.data, vertices.count, "vertices");
+  for (uint32_t i = 0; i < vertices.count; ++i) {
+    if (vertices[i] >= cloth.cooked().vertices) {
+      throw InvalidInput(text("vertices[%u] is %u (the cloth has %u vertices) give an index below that",
+                              i, vertices[i], cloth.cooked().vertices));
+    }
+    if (pinned && !cloth.pin_of(vertices[i])) {
+      throw InvalidInput(text("vertices[%u]: vertex %u is not pinned (only a pin can be released) leave "
+                              "it out",
+                              i, vertices[i]));
+    }
+  }
+}
+
+Status World::move_pins(ClothId id, View<uint32_t> vertices, PointView targets) noexcept {
+  if (!impl_) return Status::invalid_handle;
+  api::ClothRecord* cloth = impl_->find(id);
+  if (!cloth) return impl_->stale("cloth", id.index);
+  return api::guarded(*impl_->context, [&] {
+    check_vertices(*cloth, vertices, false);
+    scene::check_positions(targets, "targets");
+    if (targets.count != vertices.count) {
+      throw InvalidInput(text("targets has %u elements (vertices has %u) give one target per vertex",
+                              targets.count, vertices.count));
+    }
+    std::vector<double3> now;
+    if (vertices.count > 0) {
+      const Status status = impl_->ensure_readable();
+      if (status != Status::ok) return status;
+      if (const Status read = impl_->arena->read(*cloth, api::StateArray::position, now);
+          read != Status::ok) {
+        return read;
+      }
+    }
+    cloth->pins.reserve(cloth->pins.size() + vertices.count);
+    for (uint32_t i = 0; i < vertices.count; ++i) {
+      const uint32_t v = vertices[i];
+      auto at = std::lower_bound(cloth->pins.begin(), cloth->pins.end(), v,
+                                 [](const api::PinRecord& p, uint32_t x) { return p.vertex < x; });
+      if (at == cloth->pins.end() || at->vertex != v) {
+        at = cloth->pins.insert(at, api::PinRecord{});
+        at->vertex = v;
+        cloth->bound_known = false;
+      }
+      if (!at->can_move) impl_->dirty = true;
+      at->can_move = at->gliding = true;
+      at->motion = -1;
+      at->base = {cloth->origin.x + now[v].x, cloth->origin.y + now[v].y, cloth->origin.z + now[v].z};
+      at->target = targets[i];
+    }
+    return Status::ok;
+  });
+}
+
+Status World::release_pins(ClothId id, View<uint32_t> vertices) noexcept {
+  if (!impl_) return Status::invalid_handle;
+  api::ClothRecord* cloth = impl_->find(id);
+  if (!cloth) return impl_->stale("cloth", id.index);
+  return api::guarded(*impl_->context, [&] {
+    check_vertices(*cloth, vertices, true);
+    for (uint32_t i = 0; i < vertices.count; ++i) {
+      const auto* pin = cloth->pin_of(vertices[i]);
+      if (pin) cloth->pins.erase(cloth->pins.begin() + (pin - cloth->pins.data()));
+    }
+    cloth->bound_known = false;
+    impl_->dirty = true;
+    return Status::ok;
+  });
+}
+
+}  // namespace v0
+}  // namespace weft

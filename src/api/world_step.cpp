@@ -1,0 +1,255 @@
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+
+#include "api/world_state.h"
+#include "scene/stability.h"
+
+namespace weft {
+
+namespace {
+
+/// Adds the time it lives to a sum.
+class Stopwatch {
+ public:
+  explicit Stopwatch(double& sum) : sum_(sum), begin_(std::chrono::steady_clock::now()) {}
+  ~Stopwatch() {
+    sum_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
+  }
+  Stopwatch(const Stopwatch&) = delete;
+  Stopwatch& operator=(const Stopwatch&) = delete;
+
+ private:
+  double& sum_;
+  std::chrono::steady_clock::time_point begin_;
+};
+
+constexpr double shortest_substep = 1e-15;
+constexpr double most_substeps = 1e9;
+
+/// The fewest substeps of a frame with dt / n <= limit.
+double fewest_substeps(double dt, double limit) {
+  double n = std::max(1.0, std::ceil(dt / limit));
+  while (dt / n > limit) n += 1;
+  while (n > 1 && dt / (n - 1) <= limit) n -= 1;
+  return n;
+}
+
+bool before_in_arena(const api::ClothRecord* a, const api::ClothRecord* b) {
+  return api::shape_of(*a).kind < api::shape_of(*b).kind;
+}
+
+}  // namespace
+
+inline namespace v0 {
+
+api::ArenaInput World::Impl::arena_input(uint32_t substeps) {
+  api::ArenaInput in;
+  in.world = &desc;
+  in.colliders = &colliders;
+  for (const ClothId id : order) {
+    // A cloth without vertices has no block; it needs no place.
+    if (cloths[id.index]->cooked().vertices > 0) in.cloths.push_back(cloths[id.index].get());
+  }
+  std::stable_sort(in.cloths.begin(), in.cloths.end(), before_in_arena);
+  in.shape.precision = desc.precision;
+  in.shape.position_form = desc.form == Form::position;
+  in.shape.substeps = std::max(1u, substeps);
+  int motions = 1;
+  for (api::ClothRecord* cloth : in.cloths) {
+    in.shape.cloths.push_back(api::shape_of(*cloth));
+    cloth->motion_first = motions;
+    motions += static_cast<int>(cloth->motions.size());
+  }
+  in.shape.motions = static_cast<uint32_t>(motions);
+  for (const api::ColliderRecord& c : colliders) {
+    if (c.id) ++(c.is_sphere ? in.shape.spheres : in.shape.planes);
+  }
+  return in;
+}
+
+Status World::Impl::ensure_built(double dt, uint32_t substeps) {
+  const bool fits = built && built_substeps >= substeps;
+  if (!dirty && fits && (!starting || built_dt == dt)) return Status::ok;
+  Stopwatch watch(phases[api::phase_prepare].seconds);
+  if (built) {
+    const Status status = arena->save(*built);
+    if (status != Status::ok) return status;
+    built.reset();
+  }
+  dirty = true;
+  api::ArenaInput in = arena_input(substeps);
+  const double before = dt_before > 0 ? dt_before : dt;
+  const Status status = arena->build(in, before, time, static_cast<int>(context->threads));
+  if (status != Status::ok) return status;
+  starting = false;
+  for (api::ClothRecord* cloth : in.cloths) {
+    cloth->saved_x = {};
+    cloth->saved_d = {};
+    starting |= !cloth->moved;
+  }
+  built = std::move(in);
+  built_dt = dt;
+  built_substeps = std::max(1u, substeps);
+  dirty = false;
+  return Status::ok;
+}
+
+api::ClothRecord& World::Impl::bound_of(api::ClothRecord& cloth) {
+  if (cloth.bound_known) return cloth;
+  scene::Array<uint8_t> pinned(&context->memory);
+  if (!cloth.pins.empty()) {
+    pinned.assign(cloth.cooked().vertices, 0);
+    for (const api::PinRecord& pin : cloth.pins) pinned[pin.vertex] = 1;
+  }
+  const double lagged = cloth.drag_model == DragModel::lagged ? cloth.drag : 0;
+  const scene::Bound bound = scene::stable_bound(
+      cloth.cooked(), {cloth.pins.empty() ? nullptr : &pinned, lagged, cloth.spring_damping});
+  cloth.bound_dt = bound.dt;
+  cloth.bound_a = bound.a;
+  cloth.bound_b = bound.b;
+  cloth.bound_known = true;
+  return cloth;
+}
+
+Stability World::Impl::tightest() {
+  Stability least{std::numeric_limits<double>::infinity(), {}, 0, 0};
+  for (const ClothId id : order) {
+    const api::ClothRecord& cloth = bound_of(*cloths[id.index]);
+    if (cloth.bound_dt < least.dt_bound) {
+      least = {cloth.bound_dt, id, cloth.bound_a, cloth.bound_b};
+    }
+  }
+  return least;
+}
+
+std::string World::Impl::bound_text(const Stability& bound, double dt, uint32_t substeps) {
+  return text("%u substeps of %.6g s (the stable bound is %.6g s, set by the spring %u-%u of cloth %u) "
+              "use at least %.0f substeps, or allow unsafe steps",
+              substeps, dt / substeps, bound.dt_bound, bound.a, bound.b, bound.cloth.index,
+              fewest_substeps(dt, bound.dt_bound));
+}
+
+Result<uint32_t> World::substeps(double dt) noexcept {
+  if (!impl_) return Status::invalid_handle;
+  uint32_t count = 0;
+  const Status status = api::guarded(*impl_->context, [&] {
+    if (!std::isfinite(dt) || dt < 0 || std::fpclassify(dt) == FP_SUBNORMAL) {
+      throw InvalidInput(text("a step of %g s (time runs forward, in ordinary numbers) give a finite "
+                              "dt >= 0",
+                              dt));
+    }
+    const Stability bound = impl_->tightest();
+    double n = impl_->desc.substeps;
+    if (n == 0) n = fewest_substeps(dt, impl_->desc.safety * bound.dt_bound);
+    if (n > most_substeps) {
+      throw InvalidInput(text("a step of %g s takes %.3g substeps (at most 1e9) step less far at once",
+                              dt, n));
+    }
+    count = static_cast<uint32_t>(n);
+    if (dt > 0 && dt / n < shortest_substep) {
+      throw InvalidInput(text("a substep of %g s (the shortest is 1e-15 s) step further at once", dt / n));
+    }
+    if (dt / n > bound.dt_bound && !impl_->desc.unsafe) {
+      return impl_->context->fail(Status::unstable_step, impl_->bound_text(bound, dt, count));
+    }
+    return Status::ok;
+  });
+  if (status != Status::ok) return status;
+  return count;
+}
+
+Status World::prepare(double dt) noexcept {
+  Result<uint32_t> n = substeps(dt);
+  if (!n) return n.status();
+  if (dt == 0) return Status::ok;
+  return api::guarded(*impl_->context, [&] { return impl_->ensure_built(dt / *n, *n); });
+}
+
+Status World::Impl::report_not_finite() {
+  lost = true;
+  std::vector<double3> x;
+  for (api::ClothRecord* cloth : built->cloths) {
+    if (const Status status = arena->read(*cloth, api::StateArray::position, x); status != Status::ok) {
+      return status;
+    }
+    for (uint32_t v = 0; v < x.size(); ++v) {
+      if (std::isfinite(x[v].x) && std::isfinite(x[v].y) && std::isfinite(x[v].z)) continue;
+      std::string message =
+          text("vertex %u of cloth %u is not finite after %.6g s (the simulation diverged) use a "
+               "shorter step or look for extreme inputs",
+               v, cloth->id.index, time);
+      event_records.push_back({{EventType::non_finite, cloth->id, v, time, nullptr}, message});
+      events.push_back(event_records.back().event);
+      events.back().text = event_records.back().text.c_str();
+      return context->fail(Status::diverged, message);
+    }
+  }
+  return Status::diverged;
+}
+
+Status World::Impl::run(double dt, uint32_t substeps) {
+  events.clear();
+  event_records.clear();
+  if (lost) {
+    return context->fail(Status::diverged,
+                         "the world has diverged (it cannot go on) destroy it and begin anew");
+  }
+  Status status = ensure_built(dt / substeps, substeps);
+  if (status != Status::ok) return status;
+  const double sub_dt = dt / substeps;
+  const int threads = static_cast<int>(context->threads);
+  {
+    Stopwatch watch(phases[api::phase_inputs_and_advance].seconds);
+    const double before = dt_before > 0 ? dt_before : sub_dt;
+    status = arena->frame(*built, {static_cast<int>(substeps), sub_dt, before, time, threads});
+    if (status != Status::ok) {
+      lost = true;
+      return context->fail(status, "the device failed during a step (its state is lost) destroy the "
+                                   "world");
+    }
+  }
+  if (dt != frame_dt) {
+    time_base = time;
+    frame_dt = dt;
+    frames_of_dt = 0;
+  }
+  time = time_base + static_cast<double>(++frames_of_dt) * dt;
+  dt_before = sub_dt;
+  for (api::ClothRecord* cloth : built->cloths) {
+    if (!cloth->moved) {
+      cloth->moved = true;
+      cloth->positions = std::pmr::vector<double3>(&context->memory);
+      cloth->velocities = std::pmr::vector<double3>(&context->memory);
+    }
+    for (api::PinRecord& pin : cloth->pins) {
+      if (pin.gliding) pin.base = pin.target;
+      pin.gliding = false;
+    }
+  }
+  starting = false;
+  ++frames;
+  steps += substeps;
+  substeps_last = substeps;
+  substeps_most = std::max(substeps_most, substeps);
+  dt_least = dt_least > 0 ? std::min(dt_least, sub_dt) : sub_dt;
+  threads_last = context->threads;
+
+  Stopwatch watch(phases[api::phase_check].seconds);
+  int32_t broken = 0;
+  status = arena->count_not_finite(threads, broken);
+  if (status == Status::ok && broken > 0) return report_not_finite();
+  return status;
+}
+
+Status World::step(double dt) noexcept {
+  Result<uint32_t> n = substeps(dt);
+  if (!n) return n.status();
+  if (dt == 0) return Status::ok;
+  Stopwatch watch(impl_->step_seconds);
+  return api::guarded(*impl_->context, [&] { return impl_->run(dt, *n); });
+}
+
+}  // namespace v0
+}  // namespace weft

@@ -1,0 +1,54 @@
+// The only file that asks which compiler reads it. Everything else uses the words defined here.
+//
+//   WEFT_HD          function that runs on host and device (always inlined on the host: clang does
+//                    not vectorise a loop that calls)
+//   WEFT_HD_COLD     the same for a stage that is rare: the host keeps one copy of it
+//   WEFT_LANE        goes between the parameter list and the body of a lane lambda
+//   WEFT_SIMD        before a loop over the lanes of a block
+//   WEFT_UNROLL      before a loop of constant length that must disappear
+//   WEFT_BACKEND_NS  namespace of everything that this compilation turns into code: two copies of one
+//                    function never share a symbol, so the linker cannot keep the wrong one
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#if defined(__HIPCC__) || defined(__CUDACC__)
+#  define WEFT_HD __host__ __device__
+#  define WEFT_HD_COLD __host__ __device__
+#  define WEFT_LANE
+#  define WEFT_SIMD
+#  define WEFT_UNROLL _Pragma("unroll")
+#else
+#  define WEFT_HD __attribute__((always_inline)) inline
+#  define WEFT_HD_COLD __attribute__((noinline))
+#  define WEFT_LANE __attribute__((always_inline))
+#  define WEFT_SIMD _Pragma("omp simd")
+#  define WEFT_UNROLL _Pragma("GCC unroll 16")
+#endif
+
+/// Value of a lane `by` lanes further up the warp; on the host a kernel has no warp.
+#if defined(__HIP_DEVICE_COMPILE__)
+#  define WEFT_SHUFFLE_DOWN(value, by) __shfl_down(value, by, 32)
+#elif defined(__CUDA_ARCH__)
+#  define WEFT_SHUFFLE_DOWN(value, by) __shfl_down_sync(~0u, value, by)
+#else
+#  define WEFT_SHUFFLE_DOWN(value, by) (value)
+#endif
+
+#ifndef WEFT_BACKEND_NS
+#  define WEFT_BACKEND_NS host
+#endif
+
+/// Scalars from one particle to the next in an array of vectors: 1 stores x, y and z apart (structure
+/// of arrays), 4 stores x, y, z and a pad together. Bits do not depend on it.
+#ifndef WEFT_PARTICLE_STEP
+#  define WEFT_PARTICLE_STEP 1
+#endif
+
+namespace weft {
+
+/// Particles that share one control flow: a GPU warp, or a few CPU vectors.
+constexpr int block_size = 32;
+
+}  // namespace weft

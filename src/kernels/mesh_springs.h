@@ -1,0 +1,54 @@
+// Spring forces of a mesh or network, gathered over sliced rows (state/springs.h).
+//
+// Georgii and Westermann 2005, section 4.1 (point-centric approach), without padding every row to the
+// largest valence: the width is a slice's own.
+#pragma once
+
+#include "base/lanes.h"
+#include "kernels/displacement.h"
+#include "kernels/spring.h"
+#include "state/simulation.h"
+
+namespace weft {
+namespace WEFT_BACKEND_NS {
+
+/// `PerSpring`: stiffness is stored with every spring, otherwise it is the cloth's.
+template <class T, bool PerSpring>
+struct MeshSprings {
+  SlicedRows<T> rows;
+
+  template <int N>
+  WEFT_HD void gather(const ClothParams<T>& cloth, const ParticleBuffers<T>& p, int block, int i0,
+                      Lanes<N> lanes, LaneVec3<T, N>& force) const {
+    lanes.each([&](int l) WEFT_LANE { force.set(l, {T(0), T(0), T(0)}); });
+    const T uniform = cloth.stiffness[0];
+    const int slice = block - rows.first_block;
+    for (int64_t e = rows.start[slice] + (i0 - block * block_size); e < rows.start[slice + 1];
+         e += block_size) {
+      lanes.each([&](int l) WEFT_LANE {
+        const Vec3<T> to = load(p.x_in, rows.neighbour[e + l]) - load(p.x_in, i0 + l);
+        const T stiffness = PerSpring ? rows.stiffness[e + l] : uniform;
+        force.set(l, force.get(l) + spring_force(to, stiffness, rows.rest[e + l]));
+      });
+    }
+  }
+
+  template <bool Position, int N>
+  WEFT_HD void damp(const ClothParams<T>& cloth, const ParticleBuffers<T>& p, T per_dt, int block,
+                    int i0, Lanes<N> lanes, LaneVec3<T, N>& force) const {
+    const int slice = block - rows.first_block;
+    for (int64_t e = rows.start[slice] + (i0 - block * block_size); e < rows.start[slice + 1];
+         e += block_size) {
+      lanes.each([&](int l) WEFT_LANE {
+        const int j = rows.neighbour[e + l];
+        const Vec3<T> to = load(p.x_in, j) - load(p.x_in, i0 + l);
+        const Vec3<T> velocity =
+            per_dt * (displacement<Position>(p, j) - displacement<Position>(p, i0 + l));
+        force.set(l, force.get(l) + spring_damping_force(to, velocity, cloth.spring_damping));
+      });
+    }
+  }
+};
+
+}  // namespace WEFT_BACKEND_NS
+}  // namespace weft

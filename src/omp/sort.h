@@ -1,0 +1,13 @@
+// Sort and scan of the host back end; compiled once, apart from the kernels, with Thrust.
+#pragma once
+
+#include <stdint.h>
+
+namespace weft {
+namespace omp {
+
+void exclusive_scan(const uint32_t* in, uint32_t* out, int count);
+void stable_sort_by_key(uint32_t* keys, uint32_t* values, int count);
+
+}  // namespace omp
+}  // namespace weft

@@ -1,0 +1,94 @@
+#include "plan/plan.h"
+
+namespace weft::plan {
+
+namespace {
+
+// Additions, multiplications, divisions and roots of the kernels, counted from their source.
+constexpr double spring_flops = 18;          // kernels/spring.h with the difference and the sum
+constexpr double spring_damping_flops = 22;  // the same, with velocities
+constexpr double integrate_flops = 22;       // w f + g, r d + h a, x + d
+constexpr double drag_flops = 10;
+constexpr double sphere_flops = 24, plane_flops = 15, pin_flops = 9;
+
+struct Sums {
+  uint64_t particles = 0, springs = 0, forced = 0, dragged = 0, damped_springs = 0, pinned = 0;
+  int64_t entries = 0;
+};
+
+Sums sum_of(const WorldShape& world, KernelKind kind) {
+  Sums s;
+  for (const ClothShape& c : world.cloths) {
+    if (c.kind != kind) continue;
+    s.particles += c.particles;
+    s.springs += c.directed_springs;
+    s.entries += c.row_entries;
+    if (c.constant_forces) s.forced += c.particles;
+    if (c.drag) s.dragged += c.particles;
+    if (c.spring_damping) s.damped_springs += c.directed_springs;
+    s.pinned += uint64_t(c.moving_pin_blocks) * block_size;
+  }
+  return s;
+}
+
+Pass advance_pass(const WorldShape& world, KernelKind kind) {
+  const Sums s = sum_of(world, kind);
+  const double scalar = world.precision == Precision::float64 ? 8 : 4;
+  const auto n = static_cast<double>(s.particles > 0 ? s.particles : 1);
+  double bytes = (world.position_form ? 9 : 12) * scalar + scalar;  // x, d, x', d'; inverse mass
+  if (is_grid(kind)) {
+    bytes += 5.0 / block_size;  // block tables; presence bits at the border only
+  } else {
+    const double entry = 4 + scalar + (kind == KernelKind::mesh_per_spring ? scalar : 0);
+    bytes += entry * static_cast<double>(s.entries) / n;
+  }
+  double flops = integrate_flops + spring_flops * static_cast<double>(s.springs) / n;
+  flops += spring_damping_flops * static_cast<double>(s.damped_springs) / n;
+  flops += drag_flops * static_cast<double>(s.dragged) / n;
+  flops += 3 * static_cast<double>(s.forced) / n + pin_flops * static_cast<double>(s.pinned) / n;
+  flops += sphere_flops * world.spheres + plane_flops * world.planes;
+  bytes += 3 * scalar * static_cast<double>(s.forced) / n;
+  bytes += (6 * scalar + 4) * static_cast<double>(s.pinned) / n;
+
+  std::string name = kernel_name(kind);
+  name += world.precision == Precision::float64 ? "_float64" : "_float32";
+  if (world.position_form) name += " position";
+  if (s.forced > 0) name += " +forces";
+  if (s.damped_springs > 0) name += " +spring_damping";
+  if (s.dragged > 0) name += " +drag";
+  if (world.spheres > 0) name += " +spheres";
+  if (world.planes > 0) name += " +planes";
+  if (s.pinned > 0) name += " +moving_pins";
+  return {"advance", name, s.particles, bytes, flops};
+}
+
+}  // namespace
+
+const char* kernel_name(KernelKind kind) {
+  switch (kind) {
+    case KernelKind::seed12: return "grid_seed12";
+    case KernelKind::classic12: return "grid_classic12";
+    case KernelKind::quad4: return "grid_quad4";
+    case KernelKind::tri6: return "grid_tri6";
+    case KernelKind::mesh_uniform: return "mesh_uniform";
+    case KernelKind::mesh_per_spring: return "mesh_per_spring";
+  }
+  return "unknown";
+}
+
+Plan compile_plan(const WorldShape& world) {
+  Plan plan;
+  int first = 0;
+  for (const ClothShape& c : world.cloths) {
+    const int blocks = static_cast<int>(c.blocks());
+    if (plan.ranges.empty() || plan.ranges.back().kind != c.kind) {
+      plan.ranges.push_back({c.kind, first, 0});
+      plan.passes.push_back(advance_pass(world, c.kind));
+    }
+    plan.ranges.back().count += blocks;
+    first += blocks;
+  }
+  return plan;
+}
+
+}  // namespace weft::plan

@@ -1,0 +1,119 @@
+#include "plan/layout.h"
+
+#include <algorithm>
+
+#include "state/scratch.h"
+
+namespace weft::plan {
+
+namespace {
+
+/// Hands out offsets one after the other, each aligned to 128 bytes.
+class Cutter {
+ public:
+  Cutter(size_t scalar, size_t step) : scalar_(scalar), step_(step) {}
+
+  size_t take(size_t elements, size_t element_bytes) {
+    const size_t at = bytes_;
+    bytes_ = (bytes_ + std::max<size_t>(elements * element_bytes, 1) + 127) / 128 * 128;
+    return at;
+  }
+  /// An array of vectors with `guard` elements before and behind.
+  VectorArray take_vectors(size_t elements, size_t guard) {
+    const size_t band = (guard + 31) / 32 * 32;
+    const size_t whole = elements + 2 * band;
+    if (step_ > 1) return {take(whole, step_ * scalar_) + band * step_ * scalar_, 1};
+    // An odd number of lines from component to component: powers of two would share cache sets.
+    const size_t pitch = (whole + 31) / 32 * 32 + (whole / 32 % 2 == 0 ? 32 : 64);
+    return {take(3 * pitch, scalar_) + band * scalar_, pitch};
+  }
+  size_t bytes() const { return bytes_; }
+
+ private:
+  size_t scalar_, step_, bytes_ = 0;
+};
+
+}  // namespace
+
+bool WorldShape::any_grid() const {
+  return std::any_of(cloths.begin(), cloths.end(), [](auto& c) { return is_grid(c.kind); });
+}
+bool WorldShape::any_rows() const {
+  return std::any_of(cloths.begin(), cloths.end(), [](auto& c) { return !is_grid(c.kind); });
+}
+bool WorldShape::any_per_spring() const {
+  return std::any_of(cloths.begin(), cloths.end(),
+                     [](auto& c) { return c.kind == KernelKind::mesh_per_spring; });
+}
+bool WorldShape::any_spring_damping() const {
+  return std::any_of(cloths.begin(), cloths.end(), [](auto& c) { return c.spring_damping; });
+}
+uint64_t WorldShape::moving_pin_blocks() const {
+  uint64_t sum = 0;
+  for (const ClothShape& c : cloths) sum += c.moving_pin_blocks;
+  return sum;
+}
+uint64_t WorldShape::blocks() const {
+  uint64_t sum = 0;
+  for (const ClothShape& c : cloths) sum += c.blocks();
+  return sum;
+}
+
+Layout lay_out(const WorldShape& world, int particle_step) {
+  const bool wide = world.precision == Precision::float64;
+  const size_t scalar = wide ? sizeof(double) : sizeof(float);
+  Cutter cut(scalar, static_cast<size_t>(particle_step));
+  const size_t blocks = world.blocks();
+  const size_t particles = blocks * block_size;
+  size_t guard = 0, row_blocks = 0, entries = 0, own_stiffness = 0, forced = 0;
+  for (const ClothShape& c : world.cloths) {
+    guard = std::max(guard, static_cast<size_t>(c.guard));
+    if (!is_grid(c.kind)) row_blocks += c.blocks();
+    entries += static_cast<size_t>(c.row_entries);
+    if (c.kind == KernelKind::mesh_per_spring) own_stiffness = 1;
+    if (c.constant_forces) forced += c.blocks();
+  }
+
+  Layout l;
+  l.x[0] = cut.take_vectors(particles, guard);
+  l.x[1] = cut.take_vectors(particles, guard);
+  if (world.position_form) {
+    l.x[2] = cut.take_vectors(particles, guard);
+  } else {
+    l.d[0] = cut.take_vectors(particles, guard);
+    l.d[1] = world.any_spring_damping() ? cut.take_vectors(particles, guard) : l.d[0];
+  }
+  l.inverse_mass = cut.take(particles, scalar);
+  l.block_cloth = cut.take(blocks, sizeof(int32_t));
+  l.cloths = cut.take(world.cloths.size(), wide ? sizeof(ClothParams<double>) : sizeof(ClothParams<float>));
+  if (world.any_grid()) {
+    l.presence = cut.take(particles, sizeof(uint16_t));
+    l.block_inner = cut.take(blocks, 1);
+  }
+  if (world.any_rows()) {
+    l.slice_start = cut.take(row_blocks + 1, sizeof(int64_t));
+    l.neighbour = cut.take(entries, sizeof(int32_t));
+    l.rest = cut.take(entries, scalar);
+    if (own_stiffness > 0) l.stiffness = cut.take(entries, scalar);
+  }
+  if (forced > 0) l.force = cut.take_vectors(forced * block_size, 0);
+  const size_t cloths = world.cloths.size();
+  if (world.spheres > 0) {
+    l.spheres = cut.take(cloths * world.spheres, wide ? sizeof(Sphere<double>) : sizeof(Sphere<float>));
+  }
+  if (world.planes > 0) {
+    l.planes = cut.take(cloths * world.planes, wide ? sizeof(Plane<double>) : sizeof(Plane<float>));
+  }
+  if (const size_t pin_blocks = world.moving_pin_blocks(); pin_blocks > 0) {
+    l.block_pins = cut.take(blocks, sizeof(int32_t));
+    l.pin_base = cut.take_vectors(pin_blocks * block_size, 0);
+    l.pin_glide = cut.take_vectors(pin_blocks * block_size, 0);
+    l.pin_motion = cut.take(pin_blocks * block_size, sizeof(int32_t));
+    l.pin_offset = cut.take(size_t(world.motions) * world.substeps, 3 * scalar);
+  }
+  l.scratch = cut.take(reduce_scratch(particles), sizeof(int32_t));
+  l.bytes = cut.bytes();
+  return l;
+}
+
+}  // namespace weft::plan

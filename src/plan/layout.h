@@ -1,0 +1,37 @@
+// Where everything lies in the one block of device memory of a world. The plan predicts from it and
+// the back end's memory is cut by it, so the two cannot differ.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "plan/effects.h"
+
+namespace weft::plan {
+
+/// Byte offset of an array, or absent.
+constexpr size_t absent = ~size_t(0);
+
+struct VectorArray {
+  size_t offset = absent;  ///< byte of element 0, behind the guard band
+  size_t pitch = 0;        ///< scalars from x to y to z
+};
+
+struct Layout {
+  VectorArray x[3], d[2];
+  size_t inverse_mass = absent, presence = absent;
+  size_t block_cloth = absent, block_inner = absent, block_pins = absent;
+  size_t cloths = absent;
+  size_t slice_start = absent, neighbour = absent, rest = absent, stiffness = absent;
+  VectorArray force;
+  size_t spheres = absent, planes = absent;
+  VectorArray pin_base, pin_glide;
+  size_t pin_motion = absent, pin_offset = absent;
+  size_t scratch = absent;
+  size_t bytes = 0;
+};
+
+/// `particle_step`: how the back end stores vectors (base/portability.h).
+Layout lay_out(const WorldShape&, int particle_step);
+
+}  // namespace weft::plan

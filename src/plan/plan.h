@@ -1,0 +1,28 @@
+// From a world's shape to the ordered passes it needs, with their cost.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "plan/effects.h"
+
+namespace weft::plan {
+
+struct Pass {
+  const char* stage;
+  std::string kernel;
+  uint64_t count;             ///< particles
+  double bytes_per_particle;  ///< through memory once; neighbours come from cache
+  double flops_per_particle;
+};
+
+struct Plan {
+  std::vector<Pass> passes;
+  std::vector<BlockRange> ranges;  ///< of the advance passes, in arena order
+};
+
+Plan compile_plan(const WorldShape&);
+
+const char* kernel_name(KernelKind);
+
+}  // namespace weft::plan

@@ -1,0 +1,153 @@
+#include "scene/check.h"
+
+#include <Eigen/Dense>
+#include <cmath>
+
+#include "base/message.h"
+
+namespace weft::scene {
+
+void check_finite(double value, const char* field) {
+  if (!std::isfinite(value)) {
+    throw InvalidInput(text("%s is %g (it must be a finite number) give a finite value", field, value));
+  }
+}
+void check_not_negative(double value, const char* field) {
+  check_finite(value, field);
+  if (value < 0) {
+    throw InvalidInput(text("%s is %g (it must not be negative) give a value >= 0", field, value));
+  }
+}
+void check_positive(double value, const char* field) {
+  check_finite(value, field);
+  if (value <= 0) {
+    throw InvalidInput(text("%s is %g (it must be positive) give a value > 0", field, value));
+  }
+}
+void check_view(const void* data, uint64_t count, const char* field) {
+  if (count > 0 && data == nullptr) {
+    throw InvalidInput(text("%s has %llu elements and a null pointer (there is nothing to read) "
+                            "give the data or a count of 0",
+                            field, static_cast<unsigned long long>(count)));
+  }
+}
+
+void check_material(const Material& m, uint32_t vertices) {
+  check_not_negative(m.stiffness.stretch, "stiffness.stretch");
+  check_not_negative(m.stiffness.shear, "stiffness.shear");
+  check_not_negative(m.stiffness.bend, "stiffness.bend");
+  if (m.rest_length != initial_rest_length) check_not_negative(m.rest_length, "rest_length");
+  check_positive(m.scale, "scale");
+  if (m.mass.kind != Mass::Kind::per_vertex) return check_positive(m.mass.value, "mass");
+  check_view(m.mass.values.data, m.mass.values.count, "mass.values");
+  if (m.mass.values.count != vertices) {
+    throw InvalidInput(text("mass.values has %u elements (the fabric has %u vertices) give one mass "
+                            "per vertex",
+                            m.mass.values.count, vertices));
+  }
+  for (uint32_t v = 0; v < vertices; ++v) {
+    if (!(m.mass.values[v] > 0) || !std::isfinite(m.mass.values[v])) {
+      throw InvalidInput(text("mass of vertex %u is %g (a free vertex needs a finite mass > 0) give a "
+                              "positive mass, and pin the vertex if it shall not move",
+                              v, m.mass.values[v]));
+    }
+  }
+}
+
+void check_positions(PointView p, const char* field) {
+  check_view(p.data, p.count, field);
+  const uint32_t point = p.is_double ? sizeof(double3) : sizeof(float3);
+  if (p.count > 1 && p.stride < point) {
+    throw InvalidInput(text("%s has a stride of %u bytes (a point takes %u) give the distance from "
+                            "point to point",
+                            field, p.stride, point));
+  }
+  for (uint32_t v = 0; v < p.count; ++v) {
+    const double3 x = p[v];
+    for (const double c : {x.x, x.y, x.z}) {
+      if (!std::isfinite(c) || std::fabs(c) > largest_coordinate) {
+        throw InvalidInput(text("%s: vertex %u is at (%g, %g, %g) (coordinates must be finite and "
+                                "within 1e9 m) move or scale it",
+                                field, v, x.x, x.y, x.z));
+      }
+    }
+  }
+}
+
+void store_positions(PointView p, double scale, CookedFabric& fabric) {
+  fabric.vertices = p.count;
+  fabric.positions.resize(p.count);
+  for (uint32_t v = 0; v < p.count; ++v) {
+    const double3 x = p[v];
+    fabric.positions[v] = {x.x * scale, x.y * scale, x.z * scale};
+  }
+}
+
+static double triangle_area(const CookedFabric& fabric, const uint32_t* v) {
+  Eigen::Vector3d corner[3];
+  for (int c = 0; c < 3; ++c) {
+    const double3 x = fabric.position_of(v[c]);
+    corner[c] = {x.x, x.y, x.z};
+  }
+  return 0.5 * (corner[1] - corner[0]).cross(corner[2] - corner[0]).norm();
+}
+
+/// A third of each triangle's mass to each of its vertices; the mean to vertices without triangle.
+static void set_masses_by_density(double density, CookedFabric& fabric) {
+  fabric.masses.assign(fabric.vertices, 0.0);
+  std::vector<bool> touched(fabric.vertices, false);
+  const uint64_t count = triangle_count(fabric);
+  for (uint64_t t = 0; t < count; ++t) {
+    uint32_t v[3];
+    triangle(fabric, t, v);
+    const double third = density * triangle_area(fabric, v) / 3;
+    for (const uint32_t corner : v) {
+      fabric.masses[corner] += third;
+      touched[corner] = true;
+    }
+  }
+  double sum = 0;
+  uint32_t members = 0, loose = 0, first_loose = 0;
+  for (uint32_t v = 0; v < fabric.vertices; ++v) {
+    if (touched[v]) {
+      sum += fabric.masses[v];
+      ++members;
+    } else if (loose++ == 0) {
+      first_loose = v;
+    }
+  }
+  if (members == 0 && fabric.vertices > 0) {
+    throw InvalidInput("mass by density (the fabric has no triangle to have an area) give a total "
+                       "mass or one mass per vertex");
+  }
+  for (uint32_t v = 0; v < fabric.vertices; ++v) {
+    if (!touched[v]) fabric.masses[v] = sum / members;
+    if (!(fabric.masses[v] > 0)) {
+      throw InvalidInput(text("vertex %u has no mass (all its triangles have zero area) give masses "
+                              "per vertex or mend the mesh",
+                              v));
+    }
+  }
+  if (loose > 0) {
+    fabric.diagnostics.push_back(
+        {Severity::warning, first_loose,
+         text("%u vertices belong to no triangle, the first is %u: each gets the mean vertex mass "
+              "%g kg",
+              loose, first_loose, sum / members)});
+  }
+}
+
+void set_masses(const Mass& mass, CookedFabric& fabric) {
+  switch (mass.kind) {
+    case Mass::Kind::total:
+      fabric.mass = fabric.vertices > 0 ? mass.value / fabric.vertices : mass.value;
+      return;
+    case Mass::Kind::density: return set_masses_by_density(mass.value, fabric);
+    case Mass::Kind::per_vertex:
+      fabric.masses.resize(fabric.vertices);
+      for (uint32_t v = 0; v < fabric.vertices; ++v) fabric.masses[v] = mass.values[v];
+      return;
+  }
+}
+
+}  // namespace weft::scene

@@ -1,0 +1,23 @@
+// Checks of the values in descriptions, shared by all topologies. Each throws InvalidInput.
+#pragma once
+
+#include "scene/fabric.h"
+
+namespace weft::scene {
+
+/// Largest coordinate: squares of distances stay far from overflow in float.
+constexpr double largest_coordinate = 1e9;
+
+void check_finite(double value, const char* field);
+void check_not_negative(double value, const char* field);
+void check_positive(double value, const char* field);
+/// A view that has a count must have data.
+void check_view(const void* data, uint64_t count, const char* field);
+void check_material(const Material&, uint32_t vertices);
+void check_positions(PointView, const char* field);
+/// Copies positions, scaled.
+void store_positions(PointView, double scale, CookedFabric&);
+/// Fills `mass` or `masses`; by density, triangles must be known already.
+void set_masses(const Mass&, CookedFabric&);
+
+}  // namespace weft::scene

@@ -1,0 +1,24 @@
+// Energies and momentum of a cloth, in double on the host.
+#pragma once
+
+#include "scene/fabric.h"
+
+namespace weft::scene {
+
+/// Of a cloth at world positions `x` with velocities `v`; `rest(i, j)` is the rest length of a spring
+/// whose length is initial. Pinned vertices count neither kinetic nor potential energy nor momentum.
+struct EnergyInput {
+  const CookedFabric& fabric;
+  const std::vector<double3>& x;
+  const std::vector<double3>& v;
+  const Array<uint8_t>* pinned;  ///< null: none
+  double3 gravity;
+  const std::vector<double3>& rest_shape;  ///< posed as at the start; only differences count
+};
+struct Energies {
+  double kinetic = 0, elastic = 0, potential = 0;
+  double3 momentum{0, 0, 0};
+};
+Energies energies(const EnergyInput&);
+
+}  // namespace weft::scene

@@ -1,0 +1,106 @@
+#include <algorithm>
+
+#include "base/message.h"
+#include "scene/check.h"
+#include "scene/rows.h"
+
+namespace weft::scene {
+
+namespace {
+
+/// An edge of a triangle with the vertex opposite to it.
+struct Side {
+  uint32_t a, b, opposite;  // a < b
+  friend bool operator<(const Side& x, const Side& y) {
+    return x.a != y.a ? x.a < y.a : x.b != y.b ? x.b < y.b : x.opposite < y.opposite;
+  }
+};
+
+void check_triangles(const MeshDesc& desc) {
+  check_view(desc.indices.data, desc.indices.count, "indices");
+  if (desc.indices.count % 3 != 0) {
+    throw InvalidInput(text("indices has %u elements (three make a triangle) give a multiple of 3",
+                            desc.indices.count));
+  }
+  for (uint32_t i = 0; i < desc.indices.count; ++i) {
+    if (desc.indices[i] >= desc.positions.count) {
+      throw InvalidInput(text("triangle %u names vertex %u (the mesh has %u) give an index below that",
+                              i / 3, desc.indices[i], desc.positions.count));
+    }
+  }
+  for (uint32_t t = 0; t < desc.indices.count / 3; ++t) {
+    const uint32_t a = desc.indices[3 * t], b = desc.indices[3 * t + 1], c = desc.indices[3 * t + 2];
+    if (a == b || b == c || a == c) {
+      throw InvalidInput(text("triangle %u is (%u, %u, %u) (a triangle has three different vertices) "
+                              "remove it or mend its indices",
+                              t, a, b, c));
+    }
+  }
+}
+
+std::vector<Side> sorted_sides(const MeshDesc& desc) {
+  std::vector<Side> sides;
+  sides.reserve(desc.indices.count);
+  for (uint32_t t = 0; t < desc.indices.count / 3; ++t) {
+    for (uint32_t c = 0; c < 3; ++c) {
+      const uint32_t a = desc.indices[3 * t + c], b = desc.indices[3 * t + (c + 1) % 3];
+      sides.push_back({std::min(a, b), std::max(a, b), desc.indices[3 * t + (c + 2) % 3]});
+    }
+  }
+  std::sort(sides.begin(), sides.end());
+  return sides;
+}
+
+/// Adds `bend` springs to the sorted stretch springs; where both exist the stretch spring stays.
+void merge_bend(std::vector<SpringRecord>& springs, std::vector<SpringRecord>& bend,
+                CookedFabric& fabric) {
+  const auto before = [](const SpringRecord& x, const SpringRecord& y) {
+    return x.a != y.a ? x.a < y.a : x.b < y.b;
+  };
+  const auto same = [](const SpringRecord& x, const SpringRecord& y) {
+    return x.a == y.a && x.b == y.b;
+  };
+  const size_t whole = springs.size() + bend.size();
+  springs.insert(springs.end(), bend.begin(), bend.end());
+  std::stable_sort(springs.begin(), springs.end(), before);
+  springs.erase(std::unique(springs.begin(), springs.end(), same), springs.end());
+  if (springs.size() < whole) {
+    fabric.diagnostics.push_back(
+        {Severity::info, 0,
+         text("%zu bend springs join vertices that a spring joins already and are left out",
+              whole - springs.size())});
+  }
+}
+
+}  // namespace
+
+void cook_mesh(const MeshDesc& desc, CookedFabric& fabric) {
+  check_positions(desc.positions, "positions");
+  check_triangles(desc);
+  check_material(desc.material, desc.positions.count);
+  store_positions(desc.positions, desc.material.scale, fabric);
+  fabric.stiffness = desc.material.stiffness;
+  fabric.rest_length = desc.material.rest_length;
+  fabric.triangles.resize(desc.indices.count);
+  for (uint32_t i = 0; i < desc.indices.count; ++i) fabric.triangles[i] = desc.indices[i];
+
+  const std::vector<Side> sides = sorted_sides(desc);
+  std::vector<SpringRecord> springs, bend;
+  for (size_t first = 0; first < sides.size();) {
+    size_t end = first + 1;
+    while (end < sides.size() && sides[end].a == sides[first].a && sides[end].b == sides[first].b) {
+      ++end;
+    }
+    springs.push_back({sides[first].a, sides[first].b, -1, -1});
+    const uint32_t c = sides[first].opposite, d = sides[end - 1].opposite;
+    if (desc.bend && end - first == 2 && c != d) {
+      bend.push_back({std::min(c, d), std::max(c, d), desc.material.stiffness.bend, -1});
+    }
+    first = end;
+  }
+  if (desc.bend) merge_bend(springs, bend, fabric);
+  build_rows(springs, fabric);
+  set_masses(desc.material.mass, fabric);
+}
+
+}  // namespace weft::scene

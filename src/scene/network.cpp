@@ -1,0 +1,68 @@
+#include <algorithm>
+#include <numeric>
+
+#include "base/message.h"
+#include "scene/check.h"
+#include "scene/rows.h"
+
+namespace weft::scene {
+
+namespace {
+
+void check_spring(const Spring& s, uint32_t index, uint32_t vertices) {
+  for (const uint32_t v : {s.a, s.b}) {
+    if (v >= vertices) {
+      throw InvalidInput(text("spring %u names vertex %u (the network has %u) give an index below that",
+                              index, v, vertices));
+    }
+  }
+  if (s.a == s.b) {
+    throw InvalidInput(text("spring %u joins vertex %u to itself (a spring has two ends) remove it",
+                            index, s.a));
+  }
+  if (s.stiffness != -1) check_not_negative(s.stiffness, text("springs[%u].stiffness", index).c_str());
+  if (s.rest_length != -1) {
+    check_not_negative(s.rest_length, text("springs[%u].rest_length", index).c_str());
+  }
+}
+
+}  // namespace
+
+void cook_network(const NetworkDesc& desc, CookedFabric& fabric) {
+  check_positions(desc.positions, "positions");
+  check_view(desc.springs.data, desc.springs.count, "springs");
+  check_material(desc.material, desc.positions.count);
+  store_positions(desc.positions, desc.material.scale, fabric);
+  fabric.stiffness = desc.material.stiffness;
+  fabric.rest_length = desc.material.rest_length;
+
+  std::vector<SpringRecord> all;
+  all.reserve(desc.springs.count);
+  for (uint32_t i = 0; i < desc.springs.count; ++i) {
+    const Spring& s = desc.springs[i];
+    check_spring(s, i, desc.positions.count);
+    all.push_back({std::min(s.a, s.b), std::max(s.a, s.b), s.stiffness, s.rest_length});
+  }
+  std::vector<uint32_t> order(all.size());
+  std::iota(order.begin(), order.end(), 0u);
+  std::stable_sort(order.begin(), order.end(), [&](uint32_t x, uint32_t y) {
+    return all[x].a != all[y].a ? all[x].a < all[y].a : all[x].b < all[y].b;
+  });
+  std::vector<SpringRecord> springs;
+  springs.reserve(all.size());
+  for (const uint32_t i : order) {
+    if (!springs.empty() && springs.back().a == all[i].a && springs.back().b == all[i].b) {
+      fabric.diagnostics.push_back(
+          {Severity::warning, i,
+           text("spring %u joins vertices %u and %u, which a spring joins already (it is merged with "
+                "the first) remove it, or add the stiffness to the first",
+                i, all[i].a, all[i].b)});
+      continue;
+    }
+    springs.push_back(all[i]);
+  }
+  build_rows(springs, fabric);
+  set_masses(desc.material.mass, fabric);
+}
+
+}  // namespace weft::scene

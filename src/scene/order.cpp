@@ -1,0 +1,98 @@
+#include <algorithm>
+#include <numeric>
+
+#include "scene/rows.h"
+
+namespace weft::scene {
+
+void build_rows(const std::vector<SpringRecord>& springs, CookedFabric& fabric) {
+  SpringRows& rows = fabric.rows;
+  fabric.springs = springs.size();
+  rows.start.assign(size_t(fabric.vertices) + 1, 0);
+  bool own_stiffness = false, own_rest = false;
+  for (const SpringRecord& s : springs) {
+    ++rows.start[size_t(s.a) + 1];
+    ++rows.start[size_t(s.b) + 1];
+    own_stiffness |= s.stiffness >= 0 && s.stiffness != fabric.stiffness.stretch;
+    own_rest |= s.rest >= 0;
+  }
+  std::partial_sum(rows.start.begin(), rows.start.end(), rows.start.begin());
+
+  struct Entry {
+    uint32_t neighbour, spring;
+  };
+  std::vector<Entry> entries(2 * springs.size());
+  std::vector<uint64_t> next(rows.start.begin(), rows.start.end());
+  for (uint32_t s = 0; s < springs.size(); ++s) {
+    entries[next[springs[s].a]++] = {springs[s].b, s};
+    entries[next[springs[s].b]++] = {springs[s].a, s};
+  }
+  for (uint32_t v = 0; v < fabric.vertices; ++v) {
+    std::sort(entries.begin() + static_cast<std::ptrdiff_t>(rows.start[v]),
+              entries.begin() + static_cast<std::ptrdiff_t>(rows.start[size_t(v) + 1]),
+              [](Entry x, Entry y) { return x.neighbour < y.neighbour; });
+  }
+
+  rows.neighbour.resize(entries.size());
+  if (own_stiffness) rows.stiffness.resize(entries.size());
+  if (own_rest) rows.rest.resize(entries.size());
+  for (size_t e = 0; e < entries.size(); ++e) {
+    const SpringRecord& s = springs[entries[e].spring];
+    rows.neighbour[e] = entries[e].neighbour;
+    if (own_stiffness) rows.stiffness[e] = s.stiffness >= 0 ? s.stiffness : fabric.stiffness.stretch;
+    if (own_rest) rows.rest[e] = s.rest >= 0 ? s.rest : fabric.rest_length;
+  }
+  order_rows(fabric);
+}
+
+static void breadth_first(const CookedFabric& fabric, Array<uint32_t>& order) {
+  const SpringRows& rows = fabric.rows;
+  std::vector<bool> seen(fabric.vertices, false);
+  order.clear();
+  order.reserve(fabric.vertices);
+  for (uint32_t root = 0; root < fabric.vertices; ++root) {
+    if (seen[root]) continue;
+    seen[root] = true;
+    size_t head = order.size();
+    order.push_back(root);
+    for (; head < order.size(); ++head) {
+      const uint32_t v = order[head];
+      for (uint64_t e = rows.start[v]; e < rows.start[size_t(v) + 1]; ++e) {
+        const uint32_t n = rows.neighbour[e];
+        if (seen[n]) continue;
+        seen[n] = true;
+        order.push_back(n);
+      }
+    }
+  }
+}
+
+void order_rows(CookedFabric& fabric) {
+  constexpr size_t window = 1024;
+  const SpringRows& rows = fabric.rows;
+  Array<uint32_t>& order = fabric.caller_of;
+  breadth_first(fabric, order);
+  const auto valence = [&](uint32_t v) { return rows.start[size_t(v) + 1] - rows.start[v]; };
+  for (size_t first = 0; first < order.size(); first += window) {
+    const size_t end = std::min(first + window, order.size());
+    std::stable_sort(order.begin() + static_cast<std::ptrdiff_t>(first),
+                     order.begin() + static_cast<std::ptrdiff_t>(end),
+                     [&](uint32_t a, uint32_t b) { return valence(a) > valence(b); });
+  }
+  fabric.storage_of.resize(fabric.vertices);
+  for (uint32_t s = 0; s < fabric.vertices; ++s) fabric.storage_of[order[s]] = s;
+
+  const uint32_t slices = (fabric.vertices + block_size - 1) / block_size;
+  fabric.slice_start.assign(size_t(slices) + 1, 0);
+  for (uint32_t slice = 0; slice < slices; ++slice) {
+    uint64_t width = 0;
+    const uint32_t end = std::min(fabric.vertices, (slice + 1) * uint32_t(block_size));
+    for (uint32_t s = slice * uint32_t(block_size); s < end; ++s) {
+      width = std::max(width, valence(order[s]));
+    }
+    fabric.slice_start[size_t(slice) + 1] =
+        fabric.slice_start[slice] + static_cast<int64_t>(width) * block_size;
+  }
+}
+
+}  // namespace weft::scene

@@ -1,0 +1,148 @@
+#include "scene/stability.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "scene/grid.h"
+
+namespace weft::scene {
+
+namespace {
+
+class BoundSearch {
+ public:
+  BoundSearch(const CookedFabric& fabric, const BoundInput& input) : fabric_(fabric), input_(input) {}
+
+  Bound find() {
+    if (fabric_.is_grid) {
+      over_grid();
+    } else {
+      over_rows();
+    }
+    const double k = stiffness_, c = damping_ + drag_;
+    if (k > 0) return {(std::sqrt(c * c + 4 * k) - c) / k, a_, b_};
+    if (c > 0) return {2 / c, a_, b_};
+    return {std::numeric_limits<double>::infinity(), 0, 0};
+  }
+
+ private:
+  double inverse_mass(uint32_t v) const {
+    return input_.pinned && (*input_.pinned)[v] ? 0 : 1 / fabric_.mass_of(v);
+  }
+
+  /// One spring with the summed stiffness and the valence of its ends.
+  void spring(uint32_t a, uint32_t b, double sum_a, double sum_b, double valence_a,
+              double valence_b) {
+    const double wa = inverse_mass(a), wb = inverse_mass(b);
+    const double k = sum_a * wa + sum_b * wb;
+    if (k > stiffness_) {
+      stiffness_ = k;
+      a_ = a;
+      b_ = b;
+    }
+    damping_ = std::max(damping_, input_.spring_damping * (valence_a * wa + valence_b * wb));
+  }
+
+  void vertex(uint32_t v) {
+    const double c = input_.lagged_drag * inverse_mass(v);
+    if (c > drag_) {
+      drag_ = c;
+      if (stiffness_ == 0) a_ = b_ = v;
+    }
+  }
+
+  struct Sum {
+    double stiffness = 0, valence = 0;
+  };
+
+  Sum grid_sum(int64_t row, int64_t column) const {
+    const StencilTable& table = stencil_table(fabric_.grid.stencil);
+    Sum sum;
+    for (int k = 0; k < table.count; ++k) {
+      if (!has_neighbour(fabric_.grid, row, column, table.offset[k])) continue;
+      sum.stiffness += stencil_stiffness(table.offset[k], fabric_.stiffness);
+      sum.valence += 1;
+    }
+    return sum;
+  }
+
+  /// Sums depend on the distance to the border only, up to twice the reach.
+  std::vector<uint32_t> representatives(uint32_t count) const {
+    std::vector<uint32_t> all;
+    const bool every = input_.pinned != nullptr || !fabric_.masses.empty() || count <= 16;
+    for (uint32_t i = 0; i < count; ++i) {
+      if (every || i < 8 || i >= count - 8) all.push_back(i);
+    }
+    return all;
+  }
+
+  void over_grid() {
+    const GridShape& g = fabric_.grid;
+    const StencilTable& table = stencil_table(g.stencil);
+    // Sums by class of row and column: distance to the near border, to the far border, or inside.
+    const auto class_of = [](uint32_t i, uint32_t count) {
+      return count <= 9 ? i : i < 4 ? i : i + 4 >= count ? 8 - (count - 1 - i) : 4;
+    };
+    const auto member = [](uint32_t c, uint32_t count) {
+      return count <= 9 ? c : c <= 4 ? c : count - 1 - (8 - c);
+    };
+    Sum sums[9][9];
+    for (uint32_t r = 0; r < std::min(g.rows, 9u); ++r) {
+      for (uint32_t c = 0; c < std::min(g.columns, 9u); ++c) {
+        sums[r][c] = grid_sum(member(r, g.rows), member(c, g.columns));
+      }
+    }
+    for (const uint32_t row : representatives(g.rows)) {
+      for (const uint32_t column : representatives(g.columns)) {
+        const uint32_t a = row * g.columns + column;
+        vertex(a);
+        const Sum& here = sums[class_of(row, g.rows)][class_of(column, g.columns)];
+        for (int k = table.count / 2; k < table.count; ++k) {
+          const StencilOffset o = table.offset[k];
+          if (!has_neighbour(g, row, column, o)) continue;
+          const auto r = static_cast<uint32_t>(int64_t(row) + o.row);
+          const auto c = static_cast<uint32_t>(int64_t(column) + o.column);
+          const Sum& there = sums[class_of(r, g.rows)][class_of(c, g.columns)];
+          spring(a, r * g.columns + c, here.stiffness, there.stiffness, here.valence, there.valence);
+        }
+      }
+    }
+  }
+
+  double row_sum(uint32_t v) const {
+    const SpringRows& rows = fabric_.rows;
+    const uint64_t first = rows.start[v], end = rows.start[size_t(v) + 1];
+    if (rows.stiffness.empty()) return double(end - first) * fabric_.stiffness.stretch;
+    double sum = 0;
+    for (uint64_t e = first; e < end; ++e) sum += rows.stiffness[e];
+    return sum;
+  }
+
+  void over_rows() {
+    const SpringRows& rows = fabric_.rows;
+    std::vector<double> sums(fabric_.vertices);
+    for (uint32_t v = 0; v < fabric_.vertices; ++v) sums[v] = row_sum(v);
+    const auto valence = [&](uint32_t v) { return double(rows.start[size_t(v) + 1] - rows.start[v]); };
+    for (uint32_t v = 0; v < fabric_.vertices; ++v) {
+      vertex(v);
+      for (uint64_t e = rows.start[v]; e < rows.start[size_t(v) + 1]; ++e) {
+        const uint32_t n = rows.neighbour[e];
+        if (n > v) spring(v, n, sums[v], sums[n], valence(v), valence(n));
+      }
+    }
+  }
+
+  const CookedFabric& fabric_;
+  const BoundInput& input_;
+  double stiffness_ = 0, damping_ = 0, drag_ = 0;
+  uint32_t a_ = 0, b_ = 0;
+};
+
+}  // namespace
+
+Bound stable_bound(const CookedFabric& fabric, const BoundInput& input) {
+  return BoundSearch(fabric, input).find();
+}
+
+}  // namespace weft::scene

@@ -1,0 +1,26 @@
+// The largest step that explicit Verlet may take.
+#pragma once
+
+#include <functional>
+
+#include "scene/fabric.h"
+
+namespace weft::scene {
+
+/// dt^2 K + 2 dt C = 4, K and C the largest S_i/m_i + S_j/m_j over the springs with S_i the summed
+/// stiffness (damping) of vertex i, pinned vertices counting 1/m = 0 (scaled Gershgorin bound on the
+/// edge matrix: rigorous at every deformation for the positive part of the stiffness, linearly).
+struct Bound {
+  double dt;      ///< infinite when nothing bounds it
+  uint32_t a, b;  ///< the spring with the largest K; a == b: a vertex bound by its drag alone
+};
+
+struct BoundInput {
+  const Array<uint8_t>* pinned;  ///< per vertex; null: none
+  double lagged_drag;            ///< N s/m; 0 for central drag, which lowers nothing
+  double spring_damping;         ///< N s/m
+};
+
+Bound stable_bound(const CookedFabric&, const BoundInput&);
+
+}  // namespace weft::scene

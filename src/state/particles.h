@@ -1,0 +1,43 @@
+// Particles of all cloths: one arena, each cloth padded to whole blocks, with guard bands at both ends
+// that make every stencil load legal.
+//
+//   | guard | cloth 0 ........ pad | cloth 1 ... pad | ... | guard |
+//           ^ element 0, block 0
+#pragma once
+
+#include "base/view.h"
+
+namespace weft {
+
+/// What one substep reads and writes. `d` is the displacement of the last substep in the summed form
+/// and the previous position in the position form.
+template <class T>
+struct ParticleBuffers {
+  Vec3Array<T> x_in, d_in, x_out, d_out;
+};
+
+/// Everything that is equal for all particles of a cloth.
+template <class T>
+struct ClothParams {
+  int first;    ///< element of its first particle
+  int columns;  ///< grids: elements from row to row
+  T stiffness[12], rest[12];  ///< grids: by stencil neighbour; others: [0] when uniform
+  T drag;                     ///< N s/m
+  T spring_damping;           ///< N s/m
+  int drag_model;             ///< state/step.h, Drag
+  int starting;               ///< 1: the start pass is its first
+  int force_offset;           ///< element of the first force minus `first`; no_forces: none
+  int sphere_first, sphere_end;
+  int plane_first, plane_end;
+};
+
+constexpr int no_forces = INT32_MIN;
+
+/// Per block: which cloth it belongs to, and what is special about it.
+struct Blocks {
+  const int32_t* cloth;  ///< index into the cloth parameters
+  const uint8_t* inner;  ///< grids: 1 where every particle has every neighbour
+  const int32_t* pins;   ///< index of its block of moving pins, or -1; null without any
+};
+
+}  // namespace weft

@@ -1,0 +1,40 @@
+// All that a frame works on, as plain views of device memory. Copied into every kernel launch.
+#pragma once
+
+#include "state/colliders.h"
+#include "state/particles.h"
+#include "state/pins.h"
+#include "state/springs.h"
+#include "state/step.h"
+
+namespace weft {
+
+/// Which compiled kernel advances a range of blocks: rows of step/variants.h.
+enum class KernelKind : int32_t { seed12, classic12, quad4, tri6, mesh_uniform, mesh_per_spring };
+
+/// A range of blocks that one launch advances.
+struct BlockRange {
+  KernelKind kind;
+  int first, count;
+};
+constexpr int most_block_ranges = 6;
+
+template <class T>
+struct Simulation {
+  int blocks;
+  const ClothParams<T>* cloths;
+  Blocks block;
+  const uint16_t* presence;  ///< grids: bit k = neighbour k exists; read in border blocks only
+  const T* inverse_mass;     ///< 0: pinned, or padding
+  Vec3Array<T> force;        ///< constant forces of the cloths that have any
+  SlicedRows<T> rows;
+  Colliders<T> colliders;
+  MovingPins<T> pins;
+  BlockRange ranges[most_block_ranges];
+  int range_count;
+
+  Vec3Array<T> x[3];  ///< x[0] now; x[1] next; x[2]: only in the position form
+  Vec3Array<T> d[2];  ///< summed form: d[0] now, d[1] next; equal where no spring reads velocities
+};
+
+}  // namespace weft

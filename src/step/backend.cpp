@@ -1,0 +1,7 @@
+#include "step/backend.h"
+
+namespace weft {
+
+Backend::~Backend() = default;
+
+}  // namespace weft

@@ -1,0 +1,56 @@
+// The door between the host side and a back end: memory, and a handful of verbs.
+#pragma once
+
+#include "state/scratch.h"
+#include "step/frame.h"
+#include "weft/core.hpp"
+
+namespace weft {
+
+struct BackendInfo {
+  const char* name;       ///< "omp", "cuda", "hip"
+  const char* device;     ///< name of the processor or GPU
+  const char* isa;        ///< level of the host kernels; "-" on a GPU
+  int particle_step;      ///< memory layout of vectors: base/portability.h
+  bool host_memory;       ///< device memory can be read and written by the host
+};
+
+/// One compiled copy of the kernels with the device it runs on. Stateless: may be used from several
+/// threads with different simulations. A failing verb returns device_lost or out_of_memory.
+class Backend {
+ public:
+  virtual ~Backend();  // defined in backend.cpp, so that the class has one home among the objects
+
+  virtual const BackendInfo& info() const noexcept = 0;
+
+  /// Device memory, aligned to 128 bytes; host back ends take it from `host`. Null: out of memory.
+  virtual void* allocate(const Allocator& host, size_t bytes) const noexcept = 0;
+  virtual void release(const Allocator& host, void* memory, size_t bytes) const noexcept = 0;
+  virtual Status zero(void* device, size_t bytes) const noexcept = 0;
+  virtual Status to_device(void* device, const void* host, size_t bytes) const noexcept = 0;
+  virtual Status to_host(void* host, const void* device, size_t bytes) const noexcept = 0;
+
+  virtual Status frame(Frame<float>&) const noexcept = 0;
+  virtual Status frame(Frame<double>&) const noexcept = 0;
+  virtual Status start(Frame<float>&) const noexcept = 0;
+  virtual Status start(Frame<double>&) const noexcept = 0;
+  virtual Status accelerations(const Frame<float>&) const noexcept = 0;
+  virtual Status accelerations(const Frame<double>&) const noexcept = 0;
+  /// `scratch`: reduce_scratch(particles) elements of device memory.
+  virtual Status count_not_finite(const Frame<float>&, int32_t* scratch,
+                                  int32_t& count) const noexcept = 0;
+  virtual Status count_not_finite(const Frame<double>&, int32_t* scratch,
+                                  int32_t& count) const noexcept = 0;
+
+  /// Sum over the fixed tree of step/reduce.h, of device memory into scratch[...]; the sum comes back.
+  virtual Status sum(const float* device, int count, float* scratch, int threads,
+                     float& total) const noexcept = 0;
+  virtual Status sum(const double* device, int count, double* scratch, int threads,
+                     double& total) const noexcept = 0;
+  /// out[i] = sum of in[0, i); in and out may be the same.
+  virtual Status exclusive_scan(const uint32_t* in, uint32_t* out, int count) const noexcept = 0;
+  /// Sorts pairs by key; equal keys keep their order.
+  virtual Status stable_sort_by_key(uint32_t* keys, uint32_t* values, int count) const noexcept = 0;
+};
+
+}  // namespace weft

@@ -1,0 +1,19 @@
+// What a frame asks of a back end: substeps of equal length on one simulation.
+#pragma once
+
+#include "state/simulation.h"
+
+namespace weft {
+
+template <class T>
+struct Frame {
+  Simulation<T> sim;
+  int substeps;
+  bool position_form;
+  double dt;         ///< s, of every substep of this frame
+  double dt_before;  ///< s, of the last substep before this frame
+  Vec3<T> gravity;
+  int threads;  ///< most that the host back end may use
+};
+
+}  // namespace weft

@@ -1,0 +1,128 @@
+// One step of the simulation, on one page.
+//
+//   frame:    substep, substep, ...                       one parallel region, one enqueue
+//   substep:  advance = forces | integration | colliders | pins      one pass over all particles
+//             swap:     what was written becomes what is read
+#pragma once
+
+#include "step/exec_contract.h"
+#include "step/frame.h"
+#include "step/reduce.h"
+#include "step/variants.h"
+
+namespace weft {
+namespace WEFT_BACKEND_NS {
+
+/// Where a substep reads and writes. The position form keeps x_(n-1) in x[2].
+template <class T>
+ParticleBuffers<T> buffers(const Simulation<T>& sim, bool position_form) {
+  if (position_form) return {sim.x[0], sim.x[2], sim.x[1], sim.x[2]};
+  return {sim.x[0], sim.d[0], sim.x[1], sim.d[1]};
+}
+
+template <class T>
+void swap_arrays(Vec3Array<T>& a, Vec3Array<T>& b) {
+  const Vec3Array<T> t = a;
+  a = b;
+  b = t;
+}
+
+/// After a substep: next becomes now. The summed form keeps the old x as room for the next; the
+/// position form keeps it as x_(n-1) and reuses the one before.
+template <class T>
+void swap_buffers(Simulation<T>& sim, bool position_form) {
+  swap_arrays(sim.x[0], sim.x[1]);
+  if (position_form) {
+    swap_arrays(sim.x[1], sim.x[2]);
+  } else {
+    swap_arrays(sim.d[0], sim.d[1]);
+  }
+}
+
+/// Scalars of substep s of a frame.
+template <class T>
+StepParams<T> step_params(const Frame<T>& frame, int s) {
+  const double before = s == 0 ? frame.dt_before : frame.dt;
+  StepParams<T> step{};
+  step.update = frame.position_form ? Update::position : Update::summed;
+  step.position_form = frame.position_form;
+  step.dt = T(frame.dt);
+  step.ratio = T(frame.dt / before);
+  step.a_factor = T(0.5 * frame.dt * (frame.dt + before));
+  step.time = T((s + 1) * frame.dt);
+  step.fraction = T(double(s + 1) / frame.substeps);
+  step.substep = s;
+  step.gravity = frame.gravity;
+  return step;
+}
+
+/// One pass: all springs, particles, colliders and pins of every cloth.
+template <class T, class Team>
+void advance(const Team& team, const Simulation<T>& sim, const ParticleBuffers<T>& p,
+             const StepParams<T>& step) {
+  for (int r = 0; r < sim.range_count; ++r) {
+    const BlockRange range = sim.ranges[r];
+    with_springs(range.kind, sim, [&](auto springs) {
+      using Kernel = Advance<T, decltype(springs)>;
+      team.for_each_block(range.count, Kernel{{sim, p, step}, springs, range.first});
+    });
+  }
+  team.meet();
+}
+
+/// Advances a frame. Afterwards frame.sim names the buffers that hold the present.
+template <class T, class Exec>
+void run_frame(Exec& exec, Frame<T>& frame) {
+  exec.frame([&frame](const auto& team) {
+    Simulation<T> sim = frame.sim;
+    for (int s = 0; s < frame.substeps; ++s) {
+      advance(team, sim, buffers(sim, frame.position_form), step_params(frame, s));
+      swap_buffers(sim, frame.position_form);
+    }
+  });
+  for (int s = 0; s < frame.substeps % 6; ++s) swap_buffers(frame.sim, frame.position_form);
+}
+
+/// The displacement (or previous position) before the first step of the cloths that are starting.
+template <class T, class Exec>
+void run_start(Exec& exec, Frame<T>& frame) {
+  StepParams<T> step = step_params(frame, 0);
+  step.update = Update::start;
+  step.dt = T(frame.dt_before);
+  step.ratio = T(1);
+  ParticleBuffers<T> p = buffers(frame.sim, frame.position_form);
+  if (frame.position_form) p.d_out = frame.sim.x[1];
+  exec.frame([&](const auto& team) { advance(team, frame.sim, p, step); });
+  if (frame.position_form) {
+    swap_arrays(frame.sim.x[1], frame.sim.x[2]);
+  } else {
+    swap_arrays(frame.sim.d[0], frame.sim.d[1]);
+  }
+}
+
+/// Writes the acceleration of every particle to x[1].
+template <class T, class Exec>
+void run_accelerations(Exec& exec, const Frame<T>& frame) {
+  StepParams<T> step = step_params(frame, 0);
+  step.update = Update::acceleration;
+  step.dt = T(frame.dt_before);
+  step.ratio = T(1);
+  exec.frame([&](const auto& team) {
+    advance(team, frame.sim, buffers(frame.sim, frame.position_form), step);
+  });
+}
+
+/// Leaves the number of particles whose position is not finite in the returned element.
+template <class T, class Exec>
+const int32_t* run_count_not_finite(Exec& exec, const Frame<T>& frame, int32_t* scratch) {
+  const int32_t* result = nullptr;
+  exec.frame([&](const auto& team) {
+    const int32_t* sum =
+        reduce(team, NotFinite<T>{frame.sim.x[0]}, frame.sim.blocks * block_size, scratch);
+    if (team.leads()) result = sum;
+  });
+  return result;
+}
+
+}  // namespace WEFT_BACKEND_NS
+}  // namespace weft

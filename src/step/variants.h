@@ -1,0 +1,25 @@
+// The table of compiled kernels: every row once for float and once for double. A test bounds its
+// length: effects are stages of these kernels, not rows.
+#pragma once
+
+#include "kernels/advance.h"
+
+namespace weft {
+namespace WEFT_BACKEND_NS {
+
+/// Calls `launch` with the springs that a kind of cloth gathers over.
+template <class T, class Launch>
+void with_springs(KernelKind kind, const Simulation<T>& sim, Launch launch) {
+  switch (kind) {
+    case KernelKind::seed12: return launch(GridSprings<T, Seed12>{sim.presence, sim.block.inner});
+    case KernelKind::classic12:
+      return launch(GridSprings<T, Classic12>{sim.presence, sim.block.inner});
+    case KernelKind::quad4: return launch(GridSprings<T, Quad4>{sim.presence, sim.block.inner});
+    case KernelKind::tri6: return launch(GridSprings<T, Tri6>{sim.presence, sim.block.inner});
+    case KernelKind::mesh_uniform: return launch(MeshSprings<T, false>{sim.rows});
+    case KernelKind::mesh_per_spring: return launch(MeshSprings<T, true>{sim.rows});
+  }
+}
+
+}  // namespace WEFT_BACKEND_NS
+}  // namespace weft

@@ -49,7 +49,6 @@ function(weft_add_backends target)
   target_link_libraries(${target} PRIVATE OpenMP::OpenMP_CXX Threads::Threads)
 
   if(BACKEND STREQUAL "cuda")
-    include(WeftCuda)
     weft_add_cuda(${target})
   elseif(BACKEND STREQUAL "hip")
     message(FATAL_ERROR "BACKEND=hip is not available in this version (the HIP build is not part of it yet). Use BACKEND=omp or BACKEND=cuda")

@@ -1,5 +1,7 @@
 # weft_add_cuda(TARGET): the CUDA copy of the kernels. The runtime is linked statically, so the binary
 # starts on a machine without a driver and falls back to omp there.
+
+# weft_enable_cuda(): finds nvcc; to be called at the top level, where languages are enabled.
 macro(weft_enable_cuda)
   if(NOT CMAKE_CUDA_COMPILER AND NOT DEFINED ENV{CUDACXX})
     find_program(WEFT_NVCC nvcc HINTS ENV CUDA_HOME /usr/local/cuda PATH_SUFFIXES bin)
@@ -15,10 +17,10 @@ macro(weft_enable_cuda)
 endmacro()
 
 function(weft_add_cuda target)
-  weft_enable_cuda()
   add_library(weft_cuda OBJECT ${PROJECT_SOURCE_DIR}/src/cuda/backend.cu ${PROJECT_SOURCE_DIR}/src/cuda/sort.cu)
   target_include_directories(weft_cuda PRIVATE ${PROJECT_SOURCE_DIR}/src ${PROJECT_SOURCE_DIR}/include)
-  target_compile_definitions(weft_cuda PRIVATE WEFT_BACKEND_NS=cuda)
+  target_compile_definitions(weft_cuda PRIVATE WEFT_BACKEND_NS=cuda
+    WEFT_BACKEND_NAME="cuda" WEFT_BACKEND_FACTORY=backend_cuda)
   target_compile_options(weft_cuda PRIVATE -fmad=false -Xcompiler=-ffp-contract=off,-Wall)
   set_target_properties(weft_cuda PROPERTIES
     CUDA_STANDARD 17 CUDA_STANDARD_REQUIRED ON CUDA_RUNTIME_LIBRARY Static

@@ -18,12 +18,18 @@
 #  define WEFT_HD_COLD __host__ __device__
 #  define WEFT_LANE
 #  define WEFT_SIMD
-#  define WEFT_UNROLL _Pragma("unroll")
 #else
 #  define WEFT_HD __attribute__((always_inline)) inline
 #  define WEFT_HD_COLD __attribute__((noinline))
 #  define WEFT_LANE __attribute__((always_inline))
 #  define WEFT_SIMD _Pragma("omp simd")
+#endif
+
+#if defined(__CUDA_ARCH__) || defined(__HIP_DEVICE_COMPILE__)
+#  define WEFT_UNROLL _Pragma("unroll")
+#elif defined(__HIPCC__) || defined(__CUDACC__)
+#  define WEFT_UNROLL
+#else
 #  define WEFT_UNROLL _Pragma("GCC unroll 16")
 #endif
 

@@ -112,16 +112,27 @@ void run_accelerations(Exec& exec, const Frame<T>& frame) {
   });
 }
 
-/// Leaves the number of particles whose position is not finite in the returned element.
-template <class T, class Exec>
-const int32_t* run_count_not_finite(Exec& exec, const Frame<T>& frame, int32_t* scratch) {
-  const int32_t* result = nullptr;
+/// Leaves a sum over the fixed tree in the returned element of `scratch`.
+template <class T, class Exec, class Value>
+const T* run_reduce(Exec& exec, const Value& value, int count, T* scratch) {
+  const T* result = nullptr;
   exec.frame([&](const auto& team) {
-    const int32_t* sum =
-        reduce(team, NotFinite<T>{frame.sim.x[0]}, frame.sim.blocks * block_size, scratch);
+    const T* sum = reduce(team, value, count, scratch);
     if (team.leads()) result = sum;
   });
   return result;
+}
+
+/// Number of particles whose position is not finite.
+template <class T, class Exec>
+const int32_t* run_count_not_finite(Exec& exec, const Frame<T>& frame, int32_t* scratch) {
+  const NotFinite<T> value{frame.sim.x[0]};
+  return run_reduce(exec, value, frame.sim.blocks * block_size, scratch);
+}
+
+template <class T, class Exec>
+const T* run_sum(Exec& exec, const T* elements, int count, T* scratch) {
+  return run_reduce(exec, ElementOf<T>{elements}, count, scratch);
 }
 
 }  // namespace WEFT_BACKEND_NS

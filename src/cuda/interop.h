@@ -1,0 +1,20 @@
+// Access to device memory from the host: copies that wait.
+#pragma once
+
+#include "cuda/gpu_api.h"
+
+namespace weft {
+namespace WEFT_BACKEND_NS {
+
+inline Status copy_to_device(void* device, const void* host, size_t bytes) {
+  return status_of(WEFT_GPU(Memcpy)(device, host, bytes, WEFT_GPU(MemcpyHostToDevice)));
+}
+inline Status copy_to_host(void* host, const void* device, size_t bytes) {
+  return status_of(WEFT_GPU(Memcpy)(host, device, bytes, WEFT_GPU(MemcpyDeviceToHost)));
+}
+inline Status zero_device(void* device, size_t bytes) {
+  return status_of(WEFT_GPU(Memset)(device, 0, bytes));
+}
+
+}  // namespace WEFT_BACKEND_NS
+}  // namespace weft

@@ -1,0 +1,107 @@
+// A back end made of a device: the verbs of step/backend.h, written once. A Device offers
+//
+//   static const BackendInfo& info()
+//   static Exec exec(int blocks, int threads)     executor (step/exec_contract.h)
+//   static Status finish()                        waits until everything enqueued is done
+//   static allocate, release, zero, to_device, to_host, exclusive_scan, stable_sort_by_key
+#pragma once
+
+#include "step/backend.h"
+#include "step/pipeline.h"
+
+namespace weft {
+namespace WEFT_BACKEND_NS {
+
+template <class Device>
+class BackendOf final : public Backend {
+ public:
+  const BackendInfo& info() const noexcept override { return Device::info(); }
+
+  void* allocate(const Allocator& host, size_t bytes) const noexcept override {
+    return Device::allocate(host, bytes);
+  }
+  void release(const Allocator& host, void* memory, size_t bytes) const noexcept override {
+    Device::release(host, memory, bytes);
+  }
+  Status zero(void* device, size_t bytes) const noexcept override {
+    return Device::zero(device, bytes);
+  }
+  Status to_device(void* device, const void* host, size_t bytes) const noexcept override {
+    return Device::to_device(device, host, bytes);
+  }
+  Status to_host(void* host, const void* device, size_t bytes) const noexcept override {
+    return Device::to_host(host, device, bytes);
+  }
+
+  Status frame(Frame<float>& f) const noexcept override { return do_frame(f); }
+  Status frame(Frame<double>& f) const noexcept override { return do_frame(f); }
+  Status start(Frame<float>& f) const noexcept override { return do_start(f); }
+  Status start(Frame<double>& f) const noexcept override { return do_start(f); }
+  Status accelerations(const Frame<float>& f) const noexcept override {
+    return do_accelerations(f);
+  }
+  Status accelerations(const Frame<double>& f) const noexcept override {
+    return do_accelerations(f);
+  }
+  Status count_not_finite(const Frame<float>& f, int32_t* scratch,
+                          int32_t& count) const noexcept override {
+    return do_count(f, scratch, count);
+  }
+  Status count_not_finite(const Frame<double>& f, int32_t* scratch,
+                          int32_t& count) const noexcept override {
+    return do_count(f, scratch, count);
+  }
+  Status sum(const float* device, int count, float* scratch, int threads,
+             float& total) const noexcept override {
+    return do_sum(device, count, scratch, threads, total);
+  }
+  Status sum(const double* device, int count, double* scratch, int threads,
+             double& total) const noexcept override {
+    return do_sum(device, count, scratch, threads, total);
+  }
+  Status exclusive_scan(const uint32_t* in, uint32_t* out, int count) const noexcept override {
+    return Device::exclusive_scan(in, out, count);
+  }
+  Status stable_sort_by_key(uint32_t* keys, uint32_t* values, int count) const noexcept override {
+    return Device::stable_sort_by_key(keys, values, count);
+  }
+
+ private:
+  template <class T>
+  static auto exec(const Frame<T>& f) {
+    return Device::exec(f.sim.blocks, f.threads);
+  }
+  template <class T>
+  static Status do_frame(Frame<T>& f) {
+    auto e = exec(f);
+    run_frame(e, f);
+    return Device::finish();
+  }
+  template <class T>
+  static Status do_start(Frame<T>& f) {
+    auto e = exec(f);
+    run_start(e, f);
+    return Device::finish();
+  }
+  template <class T>
+  static Status do_accelerations(const Frame<T>& f) {
+    auto e = exec(f);
+    run_accelerations(e, f);
+    return Device::finish();
+  }
+  template <class T>
+  static Status do_count(const Frame<T>& f, int32_t* scratch, int32_t& count) {
+    auto e = exec(f);
+    const int32_t* result = run_count_not_finite(e, f, scratch);
+    return Device::to_host(&count, result, sizeof count);
+  }
+  template <class T>
+  static Status do_sum(const T* device, int count, T* scratch, int threads, T& total) {
+    auto e = Device::exec(count / block_size, threads);
+    const T* result = run_sum(e, device, count, scratch);
+    return Device::to_host(&total, result, sizeof total);
+  }
+};
+
+}  // namespace WEFT_BACKEND_NS
+}  // namespace weft

@@ -47,10 +47,10 @@ same_bits() {  # PRESET TOOL_OPTIONS...
   done
 }
 
-state_hash() {  # PRESET [TOOL_OPTIONS...] SCENE [...]: of a tenth of a second
+state_hash() {  # PRESET [TOOL_OPTIONS...] SCENE [...]: after half a second
   local report
   report=$(mktemp)
-  "build/$1/tools/weft" run --time 0.1 --report "$report" "${@:2}" >/dev/null
+  "build/$1/tools/weft" run --time 0.5 --report "$report" "${@:2}" >/dev/null
   python3 -c 'import json, sys; print(json.load(open(sys.argv[1]))["state_hash"])' "$report"
   rm -f "$report"
 }

@@ -1,0 +1,38 @@
+// Interleaved timing: clocks drift by tens of percent over minutes, so every round times every
+// candidate once, and ratios are taken round by round.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "bench/bench.h"
+
+namespace weft::bench {
+
+struct Candidate {
+  std::string name;
+  double units;                ///< particle steps (or directed springs) of one call
+  std::function<void()> call;  ///< a few milliseconds of work
+};
+
+class Interleaved {
+ public:
+  explicit Interleaved(std::string bench) : bench_(std::move(bench)) {}
+
+  /// Returns the index of the candidate.
+  size_t add(Candidate);
+  void run(int rounds, std::ostream& progress);
+
+  /// ns per unit of every candidate.
+  void append_times(const std::string& metric, const std::string& unit, std::vector<Row>&) const;
+  /// Time per unit of `slow` over that of `fast`, paired by round.
+  void append_ratio(const std::string& name, size_t slow, size_t fast, std::vector<Row>&) const;
+
+ private:
+  std::string bench_;
+  std::vector<Candidate> candidates_;
+  std::vector<std::vector<double>> ns_;  ///< by candidate and round
+};
+
+}  // namespace weft::bench

@@ -1,0 +1,111 @@
+// weft check: is the scene valid, how large is it, which step is stable, what is odd about it.
+#include "commands.h"
+
+#include "arguments.h"
+#include "output.h"
+#include "step_bound.h"
+
+#include "io/build.h"
+
+#include <cmath>
+
+namespace weft::tools {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct Finding {
+  const char* severity;
+  std::optional<size_t> cloth;  ///< none: the whole scene
+  uint32_t element;
+  std::string text;
+};
+
+const char* name_of(Severity severity) {
+  switch (severity) {
+    case Severity::info:
+      return "info";
+    case Severity::warning:
+      return "warning";
+    case Severity::error:
+      return "error";
+  }
+  return "";
+}
+
+std::vector<Finding> find_all(const io::Scene& scene, io::Simulation& made,
+                              const Stability& stability) {
+  std::vector<Finding> findings;
+  for (size_t i = 0; i < scene.cloths.size(); ++i) {
+    if (const auto* shape = std::get_if<io::MeshShape>(&scene.cloths[i].shape)) {
+      for (const auto& text : shape->mesh->warnings) findings.push_back({"warning", i, 0, text});
+    }
+    const View<Diagnostic> diagnostics = made.fabrics[i].diagnostics();
+    for (uint32_t k = 0; k < diagnostics.count; ++k) {
+      const Diagnostic& d = diagnostics[k];
+      findings.push_back({name_of(d.severity), i, d.element, d.text ? d.text : ""});
+    }
+  }
+  if (const auto problem = beyond_bound(scene, made, stability)) {
+    findings.push_back(
+        {"warning", made.index_of(stability.cloth), stability.a, "$.time.substeps: " + *problem});
+  }
+  return findings;
+}
+
+void print_human(const io::Scene& scene, const io::Simulation& made, const Stats& stats,
+                 const Stability& stability, uint64_t bytes, const std::vector<Finding>& findings) {
+  std::string bound = "unlimited";
+  if (std::isfinite(stability.dt_bound)) {
+    bound = seconds_text(stability.dt_bound) + ", set by " + worst_element(scene, made, stability);
+  }
+  const uint64_t automatic =
+      fewest_substeps(scene.time.frame, scene.solver.safety * stability.dt_bound);
+  std::vector<std::pair<std::string, std::string>> lines{
+      {"scene", scene.file},
+      {"particles", std::to_string(stats.particles)},
+      {"springs", std::to_string(stats.springs)},
+      {"step bound", bound},
+      {"substeps", scene.time.substeps ? std::to_string(scene.time.substeps) +
+                                             " (auto would take " + std::to_string(automatic) + ")"
+                                       : std::to_string(automatic) + " (auto)"},
+      {"memory", bytes_text(double(bytes))}};
+  for (const Finding& finding : findings) {
+    const std::string cloth =
+        finding.cloth ? "cloth '" + scene.cloths[*finding.cloth].name + "': " : "";
+    lines.push_back({finding.severity, cloth + finding.text});
+  }
+  print_lines(lines);
+}
+
+}  // namespace
+
+int check_command(const CommonOptions& options) {
+  const ContextDesc desc = context_desc(options);
+  const io::Scene scene = io::read_scene(options.scene);
+  io::Simulation made = io::build(scene, desc);
+  const Stability stability = made.world.stability();
+  const Stats stats = made.world.stats();
+  const auto planned = made.world.plan();
+  made.require(planned.status(), scene.file);
+  const PlanInfo& plan = *planned;
+  const std::vector<Finding> findings = find_all(scene, made, stability);
+  if (!options.json) {
+    print_human(scene, made, stats, stability, plan.bytes_total, findings);
+    return done;
+  }
+  Json json{{"particles", stats.particles}, {"springs", stats.springs}, {"dt_bound", nullptr}};
+  if (std::isfinite(stability.dt_bound)) json["dt_bound"] = stability.dt_bound;
+  json["bytes_total"] = plan.bytes_total;
+  json["diagnostics"] = Json::array();
+  for (const Finding& finding : findings) {
+    json["diagnostics"].push_back({{"severity", finding.severity},
+                                   {"cloth", finding.cloth ? Json(*finding.cloth) : Json(nullptr)},
+                                   {"element", finding.element},
+                                   {"text", finding.text}});
+  }
+  print_json(json);
+  return done;
+}
+
+}  // namespace weft::tools

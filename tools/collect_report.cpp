@@ -1,0 +1,52 @@
+#include "collect_report.h"
+
+namespace weft::tools {
+
+void collect_events(const io::Simulation& made, std::vector<io::ReportEvent>& events) {
+  const View<Event> latest = made.world.events();
+  for (uint32_t i = 0; i < latest.count; ++i) {
+    const Event& event = latest[i];
+    const size_t cloth = made.index_of(event.cloth);
+    io::ReportEvent entry{
+        to_string(event.type), {}, event.vertex, event.time, event.text ? event.text : ""};
+    if (cloth < made.cloths.size()) entry.cloth = cloth;
+    events.push_back(std::move(entry));
+  }
+}
+
+void collect_fallback(const io::Simulation& made, std::vector<io::ReportEvent>& events) {
+  const char* reason = made.context.info().fallback;
+  if (reason) events.push_back({to_string(EventType::backend_fallback), {}, 0, 0, reason});
+}
+
+void collect_figures(const io::Scene& scene, io::Simulation& made, io::Report& report) {
+  const ContextInfo info = made.context.info();
+  report.backend = info.backend;
+  report.device = info.device;
+  report.isa = info.isa;
+  report.precision = to_string(scene.solver.precision);
+  const Stats stats = made.world.stats();
+  report.threads = stats.steps > 0 ? stats.threads : info.threads;
+  report.particles = stats.particles;
+  report.springs = stats.springs;
+  report.frames = stats.frames;
+  report.steps = stats.steps;
+  report.wall_seconds = stats.step_seconds;
+  report.bytes_state = stats.bytes_state;
+  report.bytes_total = stats.bytes_total;
+  report.dt_bound = made.world.stability().dt_bound;
+  report.substeps_per_frame = stats.substeps_most;
+  report.dt = stats.dt_least;
+  if (stats.steps == 0) {
+    report.substeps_per_frame = *made.world.substeps(scene.time.frame);
+    report.dt = scene.time.frame / report.substeps_per_frame;
+  }
+  report.phases.clear();
+  for (uint32_t i = 0; i < stats.phases.count; ++i) {
+    report.phases.push_back({stats.phases[i].name, stats.phases[i].seconds});
+  }
+  report.mechanics = *made.world.mechanics();
+  report.state_hash = *made.world.state_hash();
+}
+
+}  // namespace weft::tools

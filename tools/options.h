@@ -1,0 +1,24 @@
+// What the command line asks for, as text; arguments.h turns it into values.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace weft::tools {
+
+struct CommonOptions {
+  std::string scene;
+  std::string backend = "auto", isa = "auto", threads;
+  bool json = false;
+};
+
+struct RunOptions : CommonOptions {
+  std::string time, out, every, format, final_file, report;
+};
+
+struct BenchOptions {
+  std::vector<std::string> names;
+  bool list = false, quick = false, json = false;
+};
+
+}  // namespace weft::tools

@@ -1,0 +1,55 @@
+#include "output.h"
+
+#include "io/error.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+
+namespace weft::tools {
+
+void print(const std::string& text) {
+  const bool whole = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
+  if (!whole || std::fflush(stdout) != 0) {
+    throw io::OutputError(std::string("standard output: cannot be written (") +
+                          std::strerror(errno) + ") free space or redirect it elsewhere");
+  }
+}
+
+void print_json(const nlohmann::ordered_json& json) {
+  print(json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
+}
+
+void print_lines(const std::vector<std::pair<std::string, std::string>>& lines) {
+  size_t width = 0;
+  for (const auto& [key, value] : lines) width = std::max(width, key.size());
+  std::string text;
+  for (const auto& [key, value] : lines) {
+    text += key + std::string(width + 2 - key.size(), ' ') + value + "\n";
+  }
+  print(text);
+}
+
+std::string figure(double value, int digits) {
+  char text[64];
+  std::snprintf(text, sizeof text, "%.*g", digits, value);
+  return text;
+}
+
+std::string seconds_text(double seconds) {
+  if (!std::isfinite(seconds)) return "unlimited";
+  if (seconds == 0 || seconds >= 1) return figure(seconds) + " s";
+  if (seconds >= 1e-3) return figure(seconds * 1e3) + " ms";
+  return figure(seconds * 1e6) + " us";
+}
+
+std::string bytes_text(double bytes) {
+  static constexpr const char* units[] = {"B", "kB", "MB", "GB", "TB"};
+  size_t unit = 0;
+  for (; bytes >= 1000 && unit < 4; ++unit) bytes /= 1000;
+  return figure(bytes) + " " + units[unit];
+}
+
+}  // namespace weft::tools

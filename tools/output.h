@@ -1,0 +1,22 @@
+// Standard output: JSON documents and aligned lines.
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace weft::tools {
+
+/// Throws OutputError when standard output takes no more.
+void print(const std::string& text);
+void print_json(const nlohmann::ordered_json&);
+/// "key   value" lines with the values aligned.
+void print_lines(const std::vector<std::pair<std::string, std::string>>&);
+
+std::string seconds_text(double seconds);  ///< "3.7 ms"
+std::string bytes_text(double bytes);      ///< "12.3 MB"
+std::string figure(double value, int digits = 4);
+
+}  // namespace weft::tools

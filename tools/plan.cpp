@@ -1,0 +1,62 @@
+// weft plan: the passes that a scene needs, and nothing else.
+#include "commands.h"
+
+#include "arguments.h"
+#include "output.h"
+
+#include "io/build.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <cstring>
+
+namespace weft::tools {
+namespace {
+
+void print_table(const PlanInfo& plan) {
+  int width = 6;
+  for (uint32_t i = 0; i < plan.passes.count; ++i) {
+    width = std::max(width, int(std::strlen(plan.passes[i].kernel)));
+  }
+  char line[512];
+  std::snprintf(line, sizeof line, "%-12s %-*s %12s %15s %15s\n", "stage", width, "kernel", "count",
+                "bytes/particle", "flops/particle");
+  std::string text = line;
+  for (uint32_t i = 0; i < plan.passes.count; ++i) {
+    const PassInfo& pass = plan.passes[i];
+    std::snprintf(line, sizeof line, "%-12s %-*s %12llu %15.1f %15.1f\n", pass.stage, width,
+                  pass.kernel, static_cast<unsigned long long>(pass.count), pass.bytes_per_particle,
+                  pass.flops_per_particle);
+    text += line;
+  }
+  print(text + "memory " + bytes_text(double(plan.bytes_total)) + "\n");
+}
+
+}  // namespace
+
+int plan_command(const CommonOptions& options) {
+  const ContextDesc desc = context_desc(options);
+  const io::Scene scene = io::read_scene(options.scene);
+  io::Simulation made = io::build(scene, desc);
+  const auto planned = made.world.plan();
+  made.require(planned.status(), scene.file);
+  const PlanInfo& plan = *planned;
+  if (!options.json) {
+    print_table(plan);
+    return done;
+  }
+  nlohmann::ordered_json json{{"passes", nlohmann::ordered_json::array()}};
+  for (uint32_t i = 0; i < plan.passes.count; ++i) {
+    const PassInfo& pass = plan.passes[i];
+    json["passes"].push_back({{"stage", pass.stage},
+                              {"kernel", pass.kernel},
+                              {"count", pass.count},
+                              {"bytes_per_particle", pass.bytes_per_particle},
+                              {"flops_per_particle", pass.flops_per_particle}});
+  }
+  json["bytes_total"] = plan.bytes_total;
+  print_json(json);
+  return done;
+}
+
+}  // namespace weft::tools

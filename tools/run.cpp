@@ -1,0 +1,152 @@
+// weft run: everything is checked, then the outputs are opened, then time passes.
+#include "commands.h"
+
+#include "arguments.h"
+#include "collect_report.h"
+#include "frame_output.h"
+#include "output.h"
+#include "progress.h"
+#include "step_bound.h"
+
+#include "io/csv_writer.h"
+#include "io/error.h"
+#include "io/output_file.h"
+#include "io/text_cursor.h"
+
+#include <csignal>
+#include <optional>
+
+namespace weft::tools {
+namespace {
+
+volatile std::sig_atomic_t stop_signal = 0;
+void request_stop(int number) { stop_signal = number; }
+
+/// The options as values, before anything is read.
+struct RunRequest {
+  explicit RunRequest(const RunOptions& options) : context(context_desc(options)) {
+    if (!options.time.empty()) duration = seconds_argument("--time", options.time, false);
+    if (!options.every.empty()) every = seconds_argument("--every", options.every, true);
+    formats = frame_formats(options.format.empty() ? "obj" : options.format);
+    if (options.out.empty() && !(options.every.empty() && options.format.empty())) {
+      throw io::InputError(
+          "--out: is missing (--every and --format are about its files) give a folder");
+    }
+  }
+  ContextDesc context;
+  std::optional<double> duration;
+  double every = 0;
+  std::vector<FrameFormat> formats;
+};
+
+io::Scene read_scene(const RunOptions& options, const RunRequest& request) {
+  io::Scene scene = io::read_scene(options.scene);
+  if (request.duration) {
+    scene.time.duration = *request.duration;
+    io::frame_count(scene.time, "--time");
+  }
+  return scene;
+}
+
+io::Simulation build_runnable(const io::Scene& scene, const RunRequest& request) {
+  io::Simulation made = io::build(scene, request.context);
+  if (!scene.solver.unsafe) {
+    if (const auto problem = beyond_bound(scene, made, made.world.stability())) {
+      throw io::InputError(scene.file + ": $.time.substeps: " + *problem);
+    }
+  }
+  made.require(made.world.substeps(scene.time.frame).status(), scene.file + ": $.time");
+  return made;
+}
+
+void write_final(const std::string& path, const io::Scene& scene, io::Simulation& made) {
+  io::FinalWriter writer(path);
+  std::vector<double3> positions, velocities;
+  for (size_t i = 0; i < made.cloths.size(); ++i) {
+    positions.resize(made.fabrics[i].vertex_count());
+    velocities.resize(positions.size());
+    made.require(made.world.read_positions(made.cloths[i], positions.data()), scene.file);
+    made.require(made.world.read_velocities(made.cloths[i], velocities.data()), scene.file);
+    writer.add_cloth(i, positions, velocities);
+  }
+  writer.commit();
+}
+
+/// Why a run ended before its time; empty when it did not.
+std::string simulate(const io::Scene& scene, io::Simulation& made, FrameOutput* frames,
+                     std::vector<io::ReportEvent>& events) {
+  const uint64_t count = io::frame_count(scene.time, "$.time.duration");
+  made.require(made.world.prepare(scene.time.frame), scene.file);
+  if (frames) frames->update(0, made);
+  Progress progress(count);
+  for (uint64_t frame = 1; frame <= count; ++frame) {
+    const Status status = made.world.step(scene.time.frame);
+    collect_events(made, events);
+    if (status == Status::diverged) {
+      return "stopped in frame " + std::to_string(frame) + " of " + std::to_string(count) + ": " +
+             made.log->last_error(status);
+    }
+    made.require(status, scene.file);
+    if (frames) frames->update(frame, made);
+    progress.update(frame);
+    if (stop_signal && frame < count) {
+      return "stopped after frame " + std::to_string(frame) + " of " + std::to_string(count) +
+             " (signal " + std::to_string(int(stop_signal)) + ") run it again for the rest";
+    }
+  }
+  return "";
+}
+
+void print_summary(const io::Scene& scene, const io::Report& report) {
+  std::vector<std::pair<std::string, std::string>> lines{
+      {"scene", scene.file},
+      {"particles", std::to_string(report.particles)},
+      {"springs", std::to_string(report.springs)},
+      {"frames", std::to_string(report.frames) + " of " + seconds_text(scene.time.frame)},
+      {"substeps", std::to_string(report.substeps_per_frame) + " per frame, dt " +
+                       seconds_text(report.dt) + ", bound " + seconds_text(report.dt_bound)},
+      {"ran on", report.backend + " " + report.isa + ", " + std::to_string(report.threads) +
+                     " threads, " + report.precision},
+      {"time", seconds_text(report.wall_seconds)}};
+  if (const auto cost = report.ns_per_particle_step()) {
+    lines.back().second += ", " + seconds_text(report.wall_seconds / double(report.frames)) +
+                           " per frame, " + figure(*cost) + " ns per particle and step";
+  }
+  lines.push_back({"memory", bytes_text(double(report.bytes_total))});
+  lines.push_back({"state", io::hash_text(report.state_hash)});
+  for (const io::ReportEvent& event : report.events) {
+    lines.push_back({"event", event.type + " at " + seconds_text(event.time) + ": " + event.text});
+  }
+  print_lines(lines);
+}
+
+}  // namespace
+
+int run_command(const RunOptions& options) {
+  const RunRequest request(options);
+  const io::Scene scene = read_scene(options, request);
+  io::Simulation made = build_runnable(scene, request);
+  std::optional<FrameOutput> frames;
+  if (!options.out.empty()) {
+    frames.emplace(options.out, request.formats, request.every, scene, made);
+  }
+  for (const std::string& path : {options.final_file, options.report}) {
+    if (!path.empty()) io::probe_output(path);
+  }
+  std::signal(SIGINT, request_stop);
+  std::signal(SIGTERM, request_stop);
+  io::Report report;
+  collect_fallback(made, report.events);
+  const std::string early = simulate(scene, made, frames ? &*frames : nullptr, report.events);
+  collect_figures(scene, made, report);
+  if (!options.report.empty()) io::write_report(options.report, report);
+  if (!early.empty()) throw io::OutputError(scene.file + ": " + early);
+  if (!options.final_file.empty()) write_final(options.final_file, scene, made);
+  if (options.json)
+    print_json(to_json(report));
+  else
+    print_summary(scene, report);
+  return done;
+}
+
+}  // namespace weft::tools

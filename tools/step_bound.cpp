@@ -1,0 +1,41 @@
+#include "step_bound.h"
+
+#include "io/text_cursor.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace weft::tools {
+
+uint64_t fewest_substeps(double frame, double bound) {
+  if (!std::isfinite(bound)) return 1;
+  auto count = uint64_t(std::clamp(std::ceil(frame / bound), 1.0, 9e18));
+  // The division may round to either side; the comparison is the one that a step makes.
+  while (frame / double(count) > bound) ++count;
+  while (count > 1 && frame / double(count - 1) <= bound) --count;
+  return count;
+}
+
+std::string worst_element(const io::Scene& scene, const io::Simulation& made,
+                          const Stability& stability) {
+  const size_t cloth = made.index_of(stability.cloth);
+  if (cloth == made.cloths.size()) return "no cloth";
+  const std::string where = "cloth '" + scene.cloths[cloth].name + "', ";
+  if (stability.a == stability.b) return where + "vertex " + std::to_string(stability.a);
+  return where + "spring " + std::to_string(stability.a) + "-" + std::to_string(stability.b);
+}
+
+std::optional<std::string> beyond_bound(const io::Scene& scene, const io::Simulation& made,
+                                        const Stability& stability) {
+  const uint32_t fixed = scene.time.substeps;
+  if (fixed == 0) return std::nullopt;
+  const double dt = scene.time.frame / fixed;
+  if (dt <= stability.dt_bound) return std::nullopt;
+  return std::to_string(fixed) + " is too few (the step of " + io::number_text(dt) +
+         " s is beyond the stable bound of " + io::number_text(stability.dt_bound) + " s set by " +
+         worst_element(scene, made, stability) + ") give at least " +
+         std::to_string(fewest_substeps(scene.time.frame, stability.dt_bound)) +
+         ", or \"auto\", or set solver.unsafe to true";
+}
+
+}  // namespace weft::tools

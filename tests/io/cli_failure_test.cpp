@@ -1,0 +1,114 @@
+// Runs that must fail, and what they leave behind: nothing.
+#include "cli_support.h"
+
+namespace weft::io::test {
+namespace {
+
+struct Failure : ::testing::Test {
+  TemporaryFolder folder;
+  std::string scene(const Json& json) const { return folder.write("s.json", json.dump()); }
+  std::string outputs() const {
+    return " --out " + (folder / "frames") + " --final " + (folder / "f.csv") + " --report " +
+           (folder / "r.json") + " ";
+  }
+  void expect_only_the_scene() const {
+    EXPECT_EQ(folder.file_count(), 1u);
+    EXPECT_FALSE(std::filesystem::exists(folder / "frames"));
+  }
+};
+
+TEST_F(Failure, RejectedSceneWritesNothing) {
+  Json json = falling_scene();
+  json["cloths"][0]["grid"]["rows"] = 0;
+  for (const char* command : {"run", "check", "plan"}) {
+    const std::string more = std::string(command) == "run" ? outputs() : " ";
+    expect_failure(run_weft(command + more + scene(json)), 2,
+                   "s.json: $.cloths[0].grid.rows: 0 is out of range");
+    expect_only_the_scene();
+  }
+  folder.write("s.json", "{");
+  expect_failure(run_weft("run " + outputs() + (folder / "s.json")), 2, "is not JSON");
+  expect_only_the_scene();
+}
+
+TEST_F(Failure, WhatTheLibraryRefusesNamesTheCloth) {
+  Json json = falling_scene();
+  Json cloth{{"name", "m"}, {"mass", 1}, {"stiffness", 1}, {"mesh", {{"file", "s.obj"}}}};
+  json["cloths"].push_back(cloth);
+  const std::string path = folder.write("s.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 1 2\n");
+  expect_failure(run_weft("run" + outputs() + scene(json)), 2, "s.json: $.cloths[1]: triangle 1");
+  std::filesystem::remove(path);
+  expect_only_the_scene();
+}
+
+TEST_F(Failure, AStepBeyondTheBoundIsRefused) {
+  Json json = falling_scene();
+  json["time"] = {{"frame", 0.5}, {"substeps", 2}};
+  const Outcome outcome = run_weft("run" + outputs() + scene(json));
+  expect_failure(outcome, 2, "s.json: $.time.substeps: 2 is too few");
+  EXPECT_CONTAINS(outcome.err, "cloth 'sheet', spring ");
+  expect_only_the_scene();
+  const size_t at = outcome.err.find("at least ") + 9;
+  const int enough = std::atoi(outcome.err.c_str() + at);
+  json["time"]["substeps"] = enough;
+  EXPECT_EQ(run_weft("run --time 0.5 " + scene(json)).code, 0);
+  json["time"]["substeps"] = enough - 1;
+  EXPECT_EQ(run_weft("run --time 0.5 " + scene(json)).code, 2);
+}
+
+TEST_F(Failure, DivergenceStopsWithExitCode3) {
+  Json json = falling_scene();
+  json["time"] = {{"frame", 0.5}, {"substeps", 1}, {"duration", 5000}};
+  json["solver"] = {{"unsafe", true}};
+  json["cloths"][0]["pins"] = {0};
+  const std::string report = folder / "r.json";
+  const Outcome outcome =
+      run_weft("run --report " + report + " --final " + (folder / "f.csv") + " " + scene(json));
+  expect_failure(outcome, 3, "stopped in frame");
+  const Json events = Json::parse(read_text(report))["events"];
+  ASSERT_FALSE(events.empty());
+  EXPECT_EQ(events[0]["type"], "non_finite");
+  EXPECT_EQ(events[0]["cloth"], 0);
+  EXPECT_FALSE(std::filesystem::exists(folder / "f.csv"));
+}
+
+TEST_F(Failure, UnwritablePlacesAreFoundBeforeSimulating) {
+  Json json = falling_scene();
+  json["time"]["duration"] = 1e9;
+  const std::string file = scene(json);
+  const std::string below = file + "/below";
+  expect_failure(run_weft("run --final " + below + " " + file), 3, below);
+  expect_failure(run_weft("run --report " + below + " " + file), 3, below);
+  expect_failure(run_weft("run --out " + below + " " + file), 3, below);
+  expect_failure(run_weft("run --out " + file + " " + file), 3, file);
+  expect_failure(run_weft("run --final " + (folder / "no/f.csv") + " " + file), 3, "no/f.csv");
+  EXPECT_EQ(folder.file_count(), 1u);
+}
+
+TEST_F(Failure, AFullDiskLeavesNothingHalfWritten) {
+  Json json = falling_scene();
+  json["cloths"][0]["grid"]["rows"] = 100;
+  const std::string file = scene(json);
+  for (const char* option : {"--final ", "--out "}) {
+    const Outcome outcome =
+        run_weft("run " + std::string(option) + (folder / "x") + " " + file, "ulimit -f 1; ");
+    expect_failure(outcome, 3, "cannot be written");
+    EXPECT_EQ(folder.file_count(), 1u) << option;
+  }
+  expect_failure(run_weft("run --report /dev/full " + file), 3, "/dev/full");
+  EXPECT_EQ(
+      std::system((std::string(WEFT_PROGRAM) + " check " + file + " >/dev/full 2>&1").c_str()),
+      3 << 8);
+}
+
+TEST_F(Failure, ASignalEndsTheRunBetweenFrames) {
+  Json json = falling_scene();
+  json["time"]["duration"] = 1e9;
+  const Outcome outcome = run_weft("run --report " + (folder / "r.json") + " " + scene(json),
+                                   "timeout --preserve-status -s TERM 0.5 ");
+  expect_failure(outcome, 3, "signal 15");
+  EXPECT_GT(Json::parse(read_text(folder / "r.json"))["frames"], 0);
+}
+
+}  // namespace
+}  // namespace weft::io::test

@@ -1,0 +1,43 @@
+// Running the program as a user does.
+#pragma once
+
+#include "scene_support.h"
+
+#include <sys/wait.h>
+
+#include <cstdlib>
+
+namespace weft::io::test {
+
+struct Outcome {
+  int code;  ///< exit code, or 128 + signal
+  std::string out, err;
+};
+
+/// `before` is shell text in front of the program, such as "ulimit -f 1; ".
+inline Outcome run_weft(const std::string& arguments, const std::string& before = "") {
+  const TemporaryFolder folder;
+  const std::string command = before + WEFT_PROGRAM + std::string(" ") + arguments + " >" +
+                              (folder / "out") + " 2>" + (folder / "err");
+  const int status = std::system(command.c_str());
+  const int code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  return {code, read_text(folder / "out"), read_text(folder / "err")};
+}
+
+/// Expects this exit code, nothing on standard output, and one line on standard error with `text`.
+inline void expect_failure(const Outcome& outcome, int code, const std::string& text) {
+  EXPECT_EQ(outcome.code, code) << outcome.err;
+  EXPECT_EQ(outcome.out, "");
+  EXPECT_CONTAINS(outcome.err, text);
+  EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+}
+
+/// A small sheet that falls freely: substeps "auto", 6 frames of 1/60 s.
+inline Json falling_scene() {
+  Json scene = scene_of(grid_cloth());
+  scene["time"] = {{"duration", 0.1}};
+  scene["solver"] = {{"precision", "float64"}};
+  return scene;
+}
+
+}  // namespace weft::io::test

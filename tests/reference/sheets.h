@@ -73,12 +73,12 @@ struct Sheet {
     return test.add(grid(), cloth);
   }
 
-  /// The same springs as a network.
+  /// The same springs as a network, each with its rest length from double precision.
   weft::ClothId add_network_to(TestWorld& test, weft::ClothDesc cloth = {}) const {
     const std::vector<weft::double3> rest = to_weft(reference::grid_positions(rows, columns));
     const std::vector<weft::double3> x = to_weft(start());
     std::vector<weft::Spring> springs;
-    for (const reference::Spring& s : system().springs) springs.push_back({s.a, s.b, -1, -1});
+    for (const reference::Spring& s : system().springs) springs.push_back({s.a, s.b, -1, s.rest});
     std::vector<weft::Pin> pinned;
     for (uint32_t p : pins) pinned.push_back({p, weft::Pin::fixed});
     weft::NetworkDesc network;

@@ -98,15 +98,15 @@ debug() {
 
 asan() {
   configure asan
-  compile asan
-  run_tests asan -L 'unit|kernels|backend|io|determinism' -LE 'long|hygiene'
+  compile asan weft_cli tests/{unit,kernels,backend,io,stability}/all
+  run_tests asan -L '^(unit|kernels|backend|io|stability)$' -LE long
 }
 
 # The OpenMP runtime is not instrumented; its archer library tells the sanitizer of its barriers.
 tsan() {
   configure tsan
   compile tsan race tests/determinism/all
-  run_tests tsan -L 'determinism|race' -LE long
+  run_tests tsan -L '^(determinism|race)$' -LE long
 }
 
 case "${1:-}" in

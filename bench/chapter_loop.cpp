@@ -7,13 +7,14 @@ namespace weft::bench::WEFT_CHAPTER_NS {
 // Corrected where the listing prints another thing than it means: sign of the force, gravity as an
 // acceleration, rest lengths by n - 1, neighbour index from the offsets that the test is made for.
 void chapter_step(ChapterSheet& s) {
-  static constexpr int offsets[12][2] = {{1, 0},  {-1, 0}, {0, 1},  {0, -1}, {1, 1},   {1, -1},
+  static constexpr int offsets[12][2] = {{1, 0},  {-1, 0},  {0, 1}, {0, -1}, {1, 1},  {1, -1},
                                          {-1, 1}, {-1, -1}, {2, 2}, {2, -2}, {-2, 2}, {-2, -2}};
   const int n = s.n;
   for (int i = 0; i < n * n; ++i) {
     const int row = i / n, column = i % n;
     const Float4 pos = s.now[size_t(i)], old = s.before[size_t(i)];
-    const float vx = (pos.x - old.x) / s.dt, vy = (pos.y - old.y) / s.dt, vz = (pos.z - old.z) / s.dt;
+    const float vx = (pos.x - old.x) / s.dt, vy = (pos.y - old.y) / s.dt,
+                vz = (pos.z - old.z) / s.dt;
     float fx = 0, fy = -9.81f * s.m, fz = 0;
     for (const auto& offset : offsets) {
       const int r = row + offset[1], c = column + offset[0];

@@ -1,5 +1,5 @@
-// The CPU loop of Fratarcangeli 2011, Listing 22.1, as it means it: array of float4, one thread. Built
-// twice from one source: with plain -O3, and with the flags that weft's own kernels use.
+// The CPU loop of Fratarcangeli 2011, Listing 22.1, as it means it: array of float4, one thread.
+// Built twice from one source: with plain -O3, and with the flags that weft's own kernels use.
 #pragma once
 
 #include <vector>

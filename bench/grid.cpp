@@ -17,7 +17,8 @@ constexpr const char* metric = "ns_per_particle_step";
 
 std::string size_name(uint32_t n) { return std::to_string(n) + "x" + std::to_string(n); }
 
-Candidate weft_candidate(const std::string& name, uint32_t n, const SteppedWorld::Options& options) {
+Candidate weft_candidate(const std::string& name, uint32_t n,
+                         const SteppedWorld::Options& options) {
   auto world = std::make_shared<SteppedWorld>(SteppedWorld::sheet(n, Stencil::seed12, options));
   return {name, world->particle_steps(), [world] { world->advance(); }};
 }
@@ -52,9 +53,10 @@ const char* isa_of_this_machine() {
 void bench_256(int rounds, std::ostream& progress, std::vector<Row>& rows) {
   const char* isa = isa_of_this_machine();
   Interleaved runs("grid");
-  const size_t plain = runs.add(chapter_candidate("256x256 chapter loop, -O3", 256, plain::chapter_step));
-  const size_t safe =
-      runs.add(chapter_candidate("256x256 chapter loop, bit-safe flags", 256, bit_safe::chapter_step));
+  const size_t plain =
+      runs.add(chapter_candidate("256x256 chapter loop, -O3", 256, plain::chapter_step));
+  const size_t safe = runs.add(
+      chapter_candidate("256x256 chapter loop, bit-safe flags", 256, bit_safe::chapter_step));
   const size_t one = runs.add(weft_candidate("256x256 weft float32, 1 thread", 256, {}));
   SteppedWorld::Options options;
   options.threads = 2;
@@ -63,7 +65,8 @@ void bench_256(int rounds, std::ostream& progress, std::vector<Row>& rows) {
   options.precision = Precision::float64;
   const size_t wide = runs.add(weft_candidate("256x256 weft float64, 1 thread", 256, options));
   const size_t floor = runs.add(floor_candidate<float>("12 roots and divisions, float32", isa));
-  const size_t wide_floor = runs.add(floor_candidate<double>("12 roots and divisions, float64", isa));
+  const size_t wide_floor =
+      runs.add(floor_candidate<double>("12 roots and divisions, float64", isa));
   size_t safe_v4 = 0;
   if (std::strcmp(isa, "v4") == 0) {
     safe_v4 = runs.add(chapter_candidate("256x256 chapter loop, bit-safe flags and x86-64-v4", 256,
@@ -86,7 +89,8 @@ void bench_sizes(int rounds, std::ostream& progress, std::vector<Row>& rows) {
   for (const uint32_t n : {32u, 64u, 128u, 256u, 512u, 1024u, 2048u}) {
     SteppedWorld::Options options;
     options.substeps = n <= 128 ? int(65536 * 8 / (n * n)) : n >= 1024 ? 2 : steps_per_call;
-    const size_t i = runs.add(weft_candidate(size_name(n) + " weft float32, 1 thread, by size", n, options));
+    const size_t i =
+        runs.add(weft_candidate(size_name(n) + " weft float32, 1 thread, by size", n, options));
     if (n == 256) index_256 = i;
     if (n == 2048) index_2048 = i;
   }

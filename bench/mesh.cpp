@@ -19,10 +19,11 @@ Candidate candidate_of(const std::string& name, SteppedWorld made) {
 /// Meshes that nobody here made, where they are installed.
 std::vector<std::pair<std::string, std::string>> mesh_files() {
   std::vector<std::pair<std::string, std::string>> found;
-  for (const auto& [name, file] : {std::pair{"spot", WEFT_SHARED_DATA "/spot.obj"},
-                                   std::pair{"bunny", WEFT_SHARED_DATA "/stanford-bunny.obj"},
-                                   std::pair{"teapot", WEFT_SHARED_DATA "/teapot.obj"},
-                                   std::pair{"wuson", "/usr/share/assimp/models/OBJ/WusonOBJ.obj"}}) {
+  for (const auto& [name, file] :
+       {std::pair{"spot", WEFT_SHARED_DATA "/spot.obj"},
+        std::pair{"bunny", WEFT_SHARED_DATA "/stanford-bunny.obj"},
+        std::pair{"teapot", WEFT_SHARED_DATA "/teapot.obj"},
+        std::pair{"wuson", "/usr/share/assimp/models/OBJ/WusonOBJ.obj"}}) {
     if (std::filesystem::exists(file)) found.emplace_back(name, file);
   }
   return found;
@@ -33,8 +34,8 @@ std::vector<std::pair<std::string, std::string>> mesh_files() {
 std::vector<Row> run_mesh(bool quick, std::ostream& progress) {
   Interleaved runs("mesh");
   const SteppedWorld::Options options;
-  const size_t grid = runs.add(candidate_of(
-      "256x256 tri6 as a grid", SteppedWorld::sheet(256, Stencil::tri6, options)));
+  const size_t grid = runs.add(
+      candidate_of("256x256 tri6 as a grid", SteppedWorld::sheet(256, Stencil::tri6, options)));
   const TriangleSheet sheet = triangle_sheet(256);
   std::vector<size_t> meshes{runs.add(candidate_of(
       "256x256 tri6 as a mesh", SteppedWorld::mesh(sheet.positions, sheet.triangles, options)))};

@@ -70,7 +70,8 @@ TriangleSheet triangle_sheet(uint32_t n) {
   for (uint32_t r = 0; r + 1 < n; ++r) {
     for (uint32_t c = 0; c + 1 < n; ++c) {
       const uint32_t a = r * n + c;
-      for (const uint32_t v : {a, a + 1, a + n + 1, a, a + n + 1, a + n}) sheet.triangles.push_back(v);
+      for (const uint32_t v : {a, a + 1, a + n + 1, a, a + n + 1, a + n})
+        sheet.triangles.push_back(v);
     }
   }
   return sheet;

@@ -20,10 +20,10 @@ struct ContextDesc {
 };
 
 struct ContextInfo {
-  const char* backend;  ///< "omp", "cuda" or "hip"
-  const char* device;   ///< name of the processor or GPU
-  const char* isa;      ///< "v2", "v3", "v4"
-  uint32_t threads;     ///< most threads a step uses
+  const char* backend;   ///< "omp", "cuda" or "hip"
+  const char* device;    ///< name of the processor or GPU
+  const char* isa;       ///< "v2", "v3", "v4"
+  uint32_t threads;      ///< most threads a step uses
   const char* fallback;  ///< why a GPU of this build is not used; null when that did not happen
 };
 

@@ -45,8 +45,8 @@ struct View {
   constexpr View(const void* first, size_t n, uint32_t byte_stride)
       : data(first), count(static_cast<uint32_t>(n)), stride(byte_stride) {}
   /// From anything contiguous that has data() and size(): vector, array, span.
-  template <class Container, class = decltype(static_cast<const T*>(
-                                 static_cast<const Container*>(nullptr)->data()))>
+  template <class Container,
+            class = decltype(static_cast<const T*>(static_cast<const Container*>(nullptr)->data()))>
   constexpr View(const Container& c) : data(c.data()), count(static_cast<uint32_t>(c.size())) {}
 
   constexpr bool empty() const { return count == 0; }

@@ -61,17 +61,17 @@ struct Pose {
 struct ClothDesc {
   Fabric fabric;
   Pose pose;
-  /// Positions at the start, m, in the world; empty: the fabric's rest shape in `pose`. Rest lengths
-  /// always come from the rest shape.
+  /// Positions at the start, m, in the world; empty: the fabric's rest shape in `pose`. Rest
+  /// lengths always come from the rest shape.
   PointView positions;
-  double3 velocity{0, 0, 0};   ///< m/s, of every vertex that `velocities` does not give
-  View<double3> velocities;    ///< empty, or one per vertex
-  View<Pin> pins;              ///< a vertex at most once
+  double3 velocity{0, 0, 0};  ///< m/s, of every vertex that `velocities` does not give
+  View<double3> velocities;   ///< empty, or one per vertex
+  View<Pin> pins;             ///< a vertex at most once
   View<PinMotion> motions;
-  View<VertexForce> forces;    ///< several on one vertex add up
-  double drag = 0;             ///< N s/m per vertex, >= 0
+  View<VertexForce> forces;  ///< several on one vertex add up
+  double drag = 0;           ///< N s/m per vertex, >= 0
   DragModel drag_model = DragModel::central;
-  double spring_damping = 0;   ///< N s/m along each spring, >= 0, lagged velocity
+  double spring_damping = 0;  ///< N s/m along each spring, >= 0, lagged velocity
   uint64_t user_data = 0;
 };
 
@@ -92,24 +92,24 @@ struct PlaneDesc {
 
 /// One pass of the compiled plan, in the order it runs.
 struct PassInfo {
-  const char* stage;             ///< e.g. "advance"
-  const char* kernel;            ///< e.g. "grid_seed12_float32"
-  uint64_t count;                ///< particles it touches
-  double bytes_per_particle;     ///< moved once through memory, neighbours from cache
-  double flops_per_particle;     ///< additions, multiplications, divisions and roots
+  const char* stage;          ///< e.g. "advance"
+  const char* kernel;         ///< e.g. "grid_seed12_float32"
+  uint64_t count;             ///< particles it touches
+  double bytes_per_particle;  ///< moved once through memory, neighbours from cache
+  double flops_per_particle;  ///< additions, multiplications, divisions and roots
 };
 struct PlanInfo {
-  View<PassInfo> passes;   ///< valid until the next call on the world
-  uint64_t bytes_state;    ///< particles, springs and effects on the device
-  uint64_t bytes_total;    ///< all that the library asks its allocator for
+  View<PassInfo> passes;  ///< valid until the next call on the world
+  uint64_t bytes_state;   ///< particles, springs and effects on the device
+  uint64_t bytes_total;   ///< all that the library asks its allocator for
 };
 
 /// The largest stable step of a cloth or a world: dt^2 K + 2 dt C = 4 with K and C the largest
 /// S_i/m_i + S_j/m_j over the springs, S the summed stiffness (or damping) of a vertex. Holds at
 /// every deformation, linearly.
 struct Stability {
-  double dt_bound;      ///< s; infinite when nothing bounds it
-  ClothId cloth;        ///< the one that sets the bound
+  double dt_bound;        ///< s; infinite when nothing bounds it
+  ClothId cloth;          ///< the one that sets the bound
   uint32_t a = 0, b = 0;  ///< its worst spring (a == b: a vertex bound by its drag)
 };
 
@@ -166,8 +166,8 @@ class WEFT_API World {
   Result<ColliderId> create_plane(const PlaneDesc&) noexcept;
   Status destroy_collider(ColliderId) noexcept;
 
-  /// Pins `vertices` where `targets` (one each, world, m) say: a free vertex is pinned, a pinned one
-  /// is moved; the motion runs linearly over the next step and then stops.
+  /// Pins `vertices` where `targets` (one each, world, m) say: a free vertex is pinned, a pinned
+  /// one is moved; the motion runs linearly over the next step and then stops.
   Status move_pins(ClothId, View<uint32_t> vertices, PointView targets) noexcept;
   /// Frees `vertices`; each keeps the displacement of its last substep as velocity.
   Status release_pins(ClothId, View<uint32_t> vertices) noexcept;
@@ -193,11 +193,12 @@ class WEFT_API World {
   Status read_positions(ClothId, float3* out, uint32_t stride = sizeof(float3)) noexcept;
   /// d/dt + a dt/2, m/s: second order at the time of the positions. Pins: their motion.
   Status read_velocities(ClothId, double3* out) noexcept;
-  /// Forces by mass plus gravity at the current positions, m/s^2, without drag and contact; pins: 0.
+  /// Forces by mass plus gravity at the current positions, m/s^2, without drag and contact; pins:
+  /// 0.
   Status read_accelerations(ClothId, double3* out) noexcept;
   Result<Mechanics> mechanics() noexcept;
-  /// FNV-1a 64 over the little-endian bits of all world positions, rounded to the world's precision,
-  /// cloth by cloth in order of creation, vertex by vertex, x y z.
+  /// FNV-1a 64 over the little-endian bits of all world positions, rounded to the world's
+  /// precision, cloth by cloth in order of creation, vertex by vertex, x y z.
   Result<uint64_t> state_hash() noexcept;
 
   struct Impl;

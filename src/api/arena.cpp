@@ -21,7 +21,8 @@ plan::ClothShape shape_of(const ClothRecord& cloth) {
     const int reach = scene::stencil_reach(fabric.grid.stencil);
     shape.guard = reach * static_cast<int>(fabric.grid.columns) + reach;
   } else {
-    shape.kind = fabric.rows.stiffness.empty() ? KernelKind::mesh_uniform : KernelKind::mesh_per_spring;
+    shape.kind =
+        fabric.rows.stiffness.empty() ? KernelKind::mesh_uniform : KernelKind::mesh_per_spring;
     shape.row_entries = fabric.slice_start.empty() ? 0 : fabric.slice_start.back();
   }
   std::vector<uint32_t> blocks;
@@ -66,11 +67,13 @@ class ArenaOf final : public Arena {
     params_.resize(in.cloths.size());
     spheres_.resize(in.cloths.size() * in.shape.spheres);
     planes_.resize(in.cloths.size() * in.shape.planes);
-    offsets_.resize(layout_.pin_offset == plan::absent ? 0 : size_t(in.shape.motions) * in.shape.substeps);
+    offsets_.resize(
+        layout_.pin_offset == plan::absent ? 0 : size_t(in.shape.motions) * in.shape.substeps);
     start_threads_ = threads;
     status = upload_params(in);
     if (status != Status::ok || in.world->start == Start::lagged) return status;
-    const bool any = std::any_of(in.cloths.begin(), in.cloths.end(), [](auto* c) { return !c->moved; });
+    const bool any =
+        std::any_of(in.cloths.begin(), in.cloths.end(), [](auto* c) { return !c->moved; });
     if (!any) return status;
     Frame<T> frame = make_frame(in, {1, dt_before, dt_before, time, threads});
     status = backend_.start(frame);
@@ -111,11 +114,12 @@ class ArenaOf final : public Arena {
     out.resize(vertices);
     std::vector<Vec3<T>> now, before;
     const bool difference = which == StateArray::displacement && position_form_;
-    Status status = fetch(which == StateArray::acceleration ? sim_.x[1]
+    Status status = fetch(which == StateArray::acceleration                      ? sim_.x[1]
                           : which == StateArray::displacement && !position_form_ ? sim_.d[0]
                                                                                  : sim_.x[0],
                           cloth.first, vertices, now);
-    if (status == Status::ok && difference) status = fetch(sim_.x[2], cloth.first, vertices, before);
+    if (status == Status::ok && difference)
+      status = fetch(sim_.x[2], cloth.first, vertices, before);
     if (status != Status::ok) return status;
     for (uint32_t v = 0; v < vertices; ++v) {
       const uint32_t s = cloth.cooked().storage(v);
@@ -155,17 +159,19 @@ class ArenaOf final : public Arena {
     if (!memory_) {
       const size_t wanted = layout_.bytes;
       layout_.bytes = 0;
-      return context_.fail(Status::out_of_memory,
-                           text("no %zu bytes of device memory (the scene needs them) make it smaller",
-                                wanted));
+      return context_.fail(
+          Status::out_of_memory,
+          text("no %zu bytes of device memory (the scene needs them) make it smaller", wanted));
     }
-    if (!backend_.info().host_memory) context_.memory.count(static_cast<std::ptrdiff_t>(layout_.bytes));
+    if (!backend_.info().host_memory)
+      context_.memory.count(static_cast<std::ptrdiff_t>(layout_.bytes));
     return Status::ok;
   }
   void release() {
     if (!memory_) return;
     backend_.release(context_.memory.hooks(), memory_, layout_.bytes);
-    if (!backend_.info().host_memory) context_.memory.count(-static_cast<std::ptrdiff_t>(layout_.bytes));
+    if (!backend_.info().host_memory)
+      context_.memory.count(-static_cast<std::ptrdiff_t>(layout_.bytes));
     memory_ = nullptr;
   }
 
@@ -215,7 +221,8 @@ class ArenaOf final : public Arena {
     }
     Status status = Status::ok;
     if (s > 0) {
-      status = backend_.to_device(at<char>(layout_.spheres), spheres_.data(), s * sizeof(Sphere<T>));
+      status =
+          backend_.to_device(at<char>(layout_.spheres), spheres_.data(), s * sizeof(Sphere<T>));
     }
     if (status == Status::ok && p > 0) {
       status = backend_.to_device(at<char>(layout_.planes), planes_.data(), p * sizeof(Plane<T>));
@@ -239,7 +246,8 @@ class ArenaOf final : public Arena {
     for (const ClothRecord* cloth : in.cloths) {
       for (size_t p = 0; p < cloth->pins.size(); ++p) {
         if (!cloth->pins[p].can_move) continue;
-        const int i = cloth->first + static_cast<int>(cloth->cooked().storage(cloth->pins[p].vertex));
+        const int i =
+            cloth->first + static_cast<int>(cloth->cooked().storage(cloth->pins[p].vertex));
         int32_t& slot_block = of_block[i / block_size];
         if (slot_block < 0) slot_block = next++;
         pin_slots_.push_back({cloth, p, int64_t(slot_block) * block_size + i % block_size});
@@ -259,8 +267,7 @@ class ArenaOf final : public Arena {
       const PinRecord& pin = s.cloth->pins[s.pin];
       const double3 base = minus(pin.base, s.cloth->origin);
       set_slot(pin_base_, s.slot, base);
-      set_slot(pin_glide_, s.slot,
-               pin.gliding ? minus(pin.target, pin.base) : double3{0, 0, 0});
+      set_slot(pin_glide_, s.slot, pin.gliding ? minus(pin.target, pin.base) : double3{0, 0, 0});
       pin_motion_[size_t(s.slot)] = pin.motion < 0 ? 0 : s.cloth->motion_first + pin.motion;
     }
     for (int k = 0; k < input.substeps; ++k) {
@@ -318,8 +325,8 @@ class ArenaOf final : public Arena {
     const size_t step = static_cast<size_t>(this->step());
     std::vector<T> line((count - 1) * step + 1);
     for (size_t c = 0; c < 3; ++c) {
-      const Status status = backend_.to_host(line.data(), from.data + size_t(first) * step + c * from.pitch,
-                                             line.size() * sizeof(T));
+      const Status status = backend_.to_host(
+          line.data(), from.data + size_t(first) * step + c * from.pitch, line.size() * sizeof(T));
       if (status != Status::ok) return status;
       T Vec3<T>::*const member = c == 0 ? &Vec3<T>::x : c == 1 ? &Vec3<T>::y : &Vec3<T>::z;
       for (size_t i = 0; i < count; ++i) out[i].*member = line[i * step];

@@ -89,8 +89,8 @@ class ImageFiller {
     for (uint32_t row = 0; row < grid.rows; ++row) {
       const bool row_inside = row >= uint32_t(reach) && row + uint32_t(reach) < grid.rows;
       for (uint32_t column = 0; column < grid.columns; ++column, ++v) {
-        const bool inside = row_inside && column >= uint32_t(reach) &&
-                            column + uint32_t(reach) < grid.columns;
+        const bool inside =
+            row_inside && column >= uint32_t(reach) && column + uint32_t(reach) < grid.columns;
         uint16_t bits = all;
         if (!inside) {
           bits = 0;
@@ -179,8 +179,8 @@ void fill_grid_constants(const scene::CookedFabric& fabric, ClothParams<T>& p) {
     p.stiffness[k] = static_cast<T>(scene::stencil_stiffness(o, fabric.stiffness));
     const T x = static_cast<T>(o.column * grid.column_spacing);
     const T y = static_cast<T>(o.row * grid.row_spacing);
-    p.rest[k] = fabric.rest_length >= 0 ? static_cast<T>(fabric.rest_length)
-                                        : std::sqrt(x * x + y * y);
+    p.rest[k] =
+        fabric.rest_length >= 0 ? static_cast<T>(fabric.rest_length) : std::sqrt(x * x + y * y);
   }
 }
 
@@ -194,7 +194,8 @@ void fill_image(const ArenaInput& in, const plan::Layout& layout, int particle_s
 
 template <class T>
 void fill_params(const ArenaInput& in, std::vector<ClothParams<T>>& out) {
-  const int spheres = static_cast<int>(in.shape.spheres), planes = static_cast<int>(in.shape.planes);
+  const int spheres = static_cast<int>(in.shape.spheres),
+            planes = static_cast<int>(in.shape.planes);
   int forced = 0;
   for (size_t c = 0; c < in.cloths.size(); ++c) {
     const ClothRecord& cloth = *in.cloths[c];
@@ -223,7 +224,9 @@ void fill_params(const ArenaInput& in, std::vector<ClothParams<T>>& out) {
 template <class T>
 Simulation<T> views_of(const plan::Layout& l, const plan::Plan& plan, const plan::WorldShape& shape,
                        char* base) {
-  const auto at = [base](size_t offset) { return offset == plan::absent ? nullptr : base + offset; };
+  const auto at = [base](size_t offset) {
+    return offset == plan::absent ? nullptr : base + offset;
+  };
   const auto vectors = [&](const plan::VectorArray& a) {
     return Vec3Array<T>{reinterpret_cast<T*>(at(a.offset)), a.pitch};
   };
@@ -257,10 +260,11 @@ Simulation<T> views_of(const plan::Layout& l, const plan::Plan& plan, const plan
 
 template Simulation<float> views_of(const plan::Layout&, const plan::Plan&, const plan::WorldShape&,
                                     char*);
-template Simulation<double> views_of(const plan::Layout&, const plan::Plan&, const plan::WorldShape&,
-                                     char*);
+template Simulation<double> views_of(const plan::Layout&, const plan::Plan&,
+                                     const plan::WorldShape&, char*);
 template void fill_image<float>(const ArenaInput&, const plan::Layout&, int, double, double, char*);
-template void fill_image<double>(const ArenaInput&, const plan::Layout&, int, double, double, char*);
+template void fill_image<double>(const ArenaInput&, const plan::Layout&, int, double, double,
+                                 char*);
 template void fill_params(const ArenaInput&, std::vector<ClothParams<float>>&);
 template void fill_params(const ArenaInput&, std::vector<ClothParams<double>>&);
 

@@ -66,8 +66,9 @@ void set_pose(const Pose& pose, ClothRecord& cloth) {
     return;
   }
   if (!(length > 0) || !std::isfinite(length)) {
-    throw InvalidInput("pose.axis is (0, 0, 0) (it names no direction to rotate about) give an axis "
-                       "or 0 degrees");
+    throw InvalidInput(
+        "pose.axis is (0, 0, 0) (it names no direction to rotate about) give an axis "
+        "or 0 degrees");
   }
   const double x = a.x / length, y = a.y / length, z = a.z / length;
   const auto [s, c] = scene::sine_cosine_degrees(pose.degrees);
@@ -83,9 +84,10 @@ void set_start(const ClothDesc& desc, uint32_t vertices, ClothRecord& cloth) {
   if (!desc.positions.empty()) {
     scene::check_positions(desc.positions, "positions");
     if (desc.positions.count != vertices) {
-      throw InvalidInput(text("positions has %u elements (the cloth has %u vertices) give one per "
-                              "vertex or none",
-                              desc.positions.count, vertices));
+      throw InvalidInput(
+          text("positions has %u elements (the cloth has %u vertices) give one per "
+               "vertex or none",
+               desc.positions.count, vertices));
     }
     cloth.positions.resize(vertices);
     for (uint32_t v = 0; v < vertices; ++v) cloth.positions[v] = desc.positions[v];
@@ -93,9 +95,10 @@ void set_start(const ClothDesc& desc, uint32_t vertices, ClothRecord& cloth) {
   if (!desc.velocities.empty()) {
     scene::check_view(desc.velocities.data, desc.velocities.count, "velocities");
     if (desc.velocities.count != vertices) {
-      throw InvalidInput(text("velocities has %u elements (the cloth has %u vertices) give one per "
-                              "vertex or none",
-                              desc.velocities.count, vertices));
+      throw InvalidInput(
+          text("velocities has %u elements (the cloth has %u vertices) give one per "
+               "vertex or none",
+               desc.velocities.count, vertices));
     }
     cloth.velocities.resize(vertices);
     for (uint32_t v = 0; v < vertices; ++v) {
@@ -119,9 +122,10 @@ void set_pins(const ClothDesc& desc, uint32_t vertices, ClothRecord& cloth) {
     const Pin& pin = desc.pins[i];
     check_vertex(pin.vertex, vertices, "pins", i);
     if (pin.motion != Pin::fixed && pin.motion >= desc.motions.count) {
-      throw InvalidInput(text("pins[%u] names motion %u (there are %u) give an index below that or "
-                              "Pin::fixed",
-                              i, pin.motion, desc.motions.count));
+      throw InvalidInput(
+          text("pins[%u] names motion %u (there are %u) give an index below that or "
+               "Pin::fixed",
+               i, pin.motion, desc.motions.count));
     }
     PinRecord record;
     record.vertex = pin.vertex;

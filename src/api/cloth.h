@@ -41,13 +41,14 @@ struct ClothRecord {
   std::pmr::vector<PinRecord> pins;  ///< ascending vertex
   std::pmr::vector<PinMotion> motions;
   std::pmr::vector<VertexForce> forces;  ///< ascending vertex, each once
-  std::pmr::vector<double3> positions;   ///< start, world; empty: rest shape. Freed once it has moved
+  std::pmr::vector<double3>
+      positions;  ///< start, world; empty: rest shape. Freed once it has moved
   std::pmr::vector<double3> velocities;  ///< start; empty: `velocity`. Freed once it has moved
 
-  bool moved = false;       ///< a step has been made: the device holds its state
-  int first = 0;            ///< element of its first particle on the device
-  int params = 0;           ///< its place among the cloth parameters
-  int motion_first = 0;     ///< its first motion among the world's
+  bool moved = false;    ///< a step has been made: the device holds its state
+  int first = 0;         ///< element of its first particle on the device
+  int params = 0;        ///< its place among the cloth parameters
+  int motion_first = 0;  ///< its first motion among the world's
   // State while the device memory is being remade: local, storage order, as the form keeps it.
   std::vector<double3> saved_x, saved_d;
 

@@ -22,15 +22,17 @@ Result<Context> Context::create(const ContextDesc& desc, uint32_t abi) noexcept 
   };
   try {
     if (abi != WEFT_ABI) {
-      return refuse(Status::version_mismatch,
-                    text("the caller was built against ABI %u (this library has %u) build both from "
-                         "the same headers",
-                         abi, uint32_t(WEFT_ABI)));
+      return refuse(
+          Status::version_mismatch,
+          text("the caller was built against ABI %u (this library has %u) build both from "
+               "the same headers",
+               abi, uint32_t(WEFT_ABI)));
     }
     if ((desc.allocator.allocate == nullptr) != (desc.allocator.deallocate == nullptr)) {
-      return refuse(Status::invalid_argument,
-                    "allocator has one function of two (memory could not be given back) give both or "
-                    "neither");
+      return refuse(
+          Status::invalid_argument,
+          "allocator has one function of two (memory could not be given back) give both or "
+          "neither");
     }
     if (desc.threads > 1024) {
       return refuse(Status::invalid_argument,
@@ -41,7 +43,8 @@ Result<Context> Context::create(const ContextDesc& desc, uint32_t abi) noexcept 
     if (!choice.backend) return refuse(Status::no_device, choice.refusal);
     state->backend = choice.backend;
     state->fallback = choice.fallback;
-    state->threads = desc.threads > 0 ? desc.threads : std::max(1u, std::thread::hardware_concurrency());
+    state->threads =
+        desc.threads > 0 ? desc.threads : std::max(1u, std::thread::hardware_concurrency());
     if (!choice.fallback.empty()) state->say(Severity::info, choice.fallback);
     return Context(new Impl{std::move(state)});
   } catch (const std::bad_alloc&) {
@@ -95,7 +98,9 @@ ContextInfo Context::info() const noexcept {
   return {b.name, b.device, b.isa, s.threads, s.fallback.empty() ? nullptr : s.fallback.c_str()};
 }
 
-uint64_t Context::bytes_allocated() const noexcept { return impl_ ? impl_->state->memory.held() : 0; }
+uint64_t Context::bytes_allocated() const noexcept {
+  return impl_ ? impl_->state->memory.held() : 0;
+}
 
 }  // namespace v0
 }  // namespace weft

@@ -8,7 +8,7 @@
 
 #include "api/memory.h"
 #include "api/registry.h"
-#include "base/message.h"
+#include "base/message_host.h"
 #include "scene/fabric.h"
 
 namespace weft {
@@ -40,8 +40,9 @@ Status guarded(ContextState& context, const Body& body) noexcept {
   } catch (const InvalidInput& problem) {
     return context.fail(Status::invalid_argument, problem.what());
   } catch (const std::bad_alloc&) {
-    return context.fail(Status::out_of_memory,
-                        "out of memory (the allocator gave none) free some or make the scene smaller");
+    return context.fail(
+        Status::out_of_memory,
+        "out of memory (the allocator gave none) free some or make the scene smaller");
   }
 }
 

@@ -9,9 +9,10 @@ namespace weft::api {
 void* ContextMemory::allocate_hook(void* self, size_t bytes, size_t alignment) {
   auto& memory = *static_cast<ContextMemory*>(self);
   const size_t align = std::max(alignment, alignof(std::max_align_t));
-  void* p = memory.user_.allocate
-                ? memory.user_.allocate(memory.user_.user, bytes, align)
-                : std::aligned_alloc(align, (std::max<size_t>(bytes, 1) + align - 1) / align * align);
+  void* p =
+      memory.user_.allocate
+          ? memory.user_.allocate(memory.user_.user, bytes, align)
+          : std::aligned_alloc(align, (std::max<size_t>(bytes, 1) + align - 1) / align * align);
   if (p) memory.held_ += static_cast<std::ptrdiff_t>(bytes);
   return p;
 }
@@ -33,6 +34,8 @@ void* ContextMemory::do_allocate(size_t bytes, size_t alignment) {
   return p;
 }
 
-void ContextMemory::do_deallocate(void* p, size_t bytes, size_t) { deallocate_hook(this, p, bytes); }
+void ContextMemory::do_deallocate(void* p, size_t bytes, size_t) {
+  deallocate_hook(this, p, bytes);
+}
 
 }  // namespace weft::api

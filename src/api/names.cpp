@@ -1,4 +1,4 @@
-#include "base/message.h"
+#include "base/message_host.h"
 #include "weft/weft.hpp"
 
 namespace weft {
@@ -6,16 +6,26 @@ inline namespace v0 {
 
 const char* to_string(Status status) noexcept {
   switch (status) {
-    case Status::ok: return "ok";
-    case Status::invalid_argument: return "invalid_argument";
-    case Status::invalid_handle: return "invalid_handle";
-    case Status::version_mismatch: return "version_mismatch";
-    case Status::out_of_memory: return "out_of_memory";
-    case Status::no_device: return "no_device";
-    case Status::device_lost: return "device_lost";
-    case Status::unsupported: return "unsupported";
-    case Status::unstable_step: return "unstable_step";
-    case Status::diverged: return "diverged";
+    case Status::ok:
+      return "ok";
+    case Status::invalid_argument:
+      return "invalid_argument";
+    case Status::invalid_handle:
+      return "invalid_handle";
+    case Status::version_mismatch:
+      return "version_mismatch";
+    case Status::out_of_memory:
+      return "out_of_memory";
+    case Status::no_device:
+      return "no_device";
+    case Status::device_lost:
+      return "device_lost";
+    case Status::unsupported:
+      return "unsupported";
+    case Status::unstable_step:
+      return "unstable_step";
+    case Status::diverged:
+      return "diverged";
   }
   return "unknown";
 }
@@ -26,18 +36,24 @@ const char* to_string(Precision precision) noexcept {
 
 const char* to_string(Stencil stencil) noexcept {
   switch (stencil) {
-    case Stencil::seed12: return "seed12";
-    case Stencil::classic12: return "classic12";
-    case Stencil::quad4: return "quad4";
-    case Stencil::tri6: return "tri6";
+    case Stencil::seed12:
+      return "seed12";
+    case Stencil::classic12:
+      return "classic12";
+    case Stencil::quad4:
+      return "quad4";
+    case Stencil::tri6:
+      return "tri6";
   }
   return "unknown";
 }
 
 const char* to_string(EventType type) noexcept {
   switch (type) {
-    case EventType::non_finite: return "non_finite";
-    case EventType::backend_fallback: return "backend_fallback";
+    case EventType::non_finite:
+      return "non_finite";
+    case EventType::backend_fallback:
+      return "backend_fallback";
   }
   return "unknown";
 }
@@ -49,15 +65,14 @@ const char* to_string(EventType type) noexcept {
 #endif
 
 const char* build_info() noexcept {
-  static const std::string info =
-      text("%d.%d.%d omp%s " WEFT_COMPILER, WEFT_VERSION_MAJOR, WEFT_VERSION_MINOR,
-           WEFT_VERSION_PATCH,
+  static const std::string info = text("%d.%d.%d omp%s " WEFT_COMPILER, WEFT_VERSION_MAJOR,
+                                       WEFT_VERSION_MINOR, WEFT_VERSION_PATCH,
 #ifdef WEFT_HAVE_CUDA
-           " cuda"
+                                       " cuda"
 #else
-           ""
+                                       ""
 #endif
-      );
+  );
   return info.c_str();
 }
 

@@ -1,6 +1,6 @@
 #include "api/registry.h"
 
-#include "base/message.h"
+#include "base/message_host.h"
 
 namespace weft {
 
@@ -41,24 +41,32 @@ const Backend* host_backend(Isa level) {
   if (!processor_has(level)) return nullptr;
   switch (level) {
 #ifdef WEFT_HAVE_OMP_v2
-    case Isa::v2: return &backend_omp_v2();
+    case Isa::v2:
+      return &backend_omp_v2();
 #endif
 #ifdef WEFT_HAVE_OMP_v3
-    case Isa::v3: return &backend_omp_v3();
+    case Isa::v3:
+      return &backend_omp_v3();
 #endif
 #ifdef WEFT_HAVE_OMP_v4
-    case Isa::v4: return &backend_omp_v4();
+    case Isa::v4:
+      return &backend_omp_v4();
 #endif
-    default: return nullptr;
+    default:
+      return nullptr;
   }
 }
 
 const char* name_of(Isa level) {
   switch (level) {
-    case Isa::v2: return "v2";
-    case Isa::v3: return "v3";
-    case Isa::v4: return "v4";
-    default: return "auto";
+    case Isa::v2:
+      return "v2";
+    case Isa::v3:
+      return "v3";
+    case Isa::v4:
+      return "v4";
+    default:
+      return "auto";
   }
 }
 
@@ -67,9 +75,10 @@ BackendChoice choose_host(Isa level) {
   if (level != Isa::automatic) {
     choice.backend = host_backend(level);
     if (!choice.backend) {
-      choice.refusal = text("instruction level %s is not available (this processor or this build "
-                            "lacks it) use auto or a lower level",
-                            name_of(level));
+      choice.refusal = text(
+          "instruction level %s is not available (this processor or this build "
+          "lacks it) use auto or a lower level",
+          name_of(level));
     }
     return choice;
   }

@@ -13,9 +13,10 @@ void check_world(const WorldDesc& desc) {
   scene::check_finite(desc.gravity.y, "gravity.y");
   scene::check_finite(desc.gravity.z, "gravity.z");
   if (!(desc.safety > 0) || desc.safety > 1) {
-    throw InvalidInput(text("safety is %g (a step is safe at a fraction of the bound) give a value in "
-                            "(0, 1]",
-                            desc.safety));
+    throw InvalidInput(
+        text("safety is %g (a step is safe at a fraction of the bound) give a value in "
+             "(0, 1]",
+             desc.safety));
   }
 }
 
@@ -29,9 +30,10 @@ static double3 checked_vector(const double3& v, const char* field) {
 static void check_frictionless(double friction) {
   scene::check_not_negative(friction, "friction");
   if (friction > 0) {
-    throw InvalidInput(text("friction is %g (colliders with friction are not available in this "
-                            "version) give 0",
-                            friction));
+    throw InvalidInput(
+        text("friction is %g (colliders with friction are not available in this "
+             "version) give 0",
+             friction));
   }
 }
 
@@ -40,7 +42,9 @@ static void check_frictionless(double friction) {
 inline namespace v0 {
 
 World::Impl::Impl(std::shared_ptr<api::ContextState> owner, const WorldDesc& world_desc)
-    : context(std::move(owner)), desc(world_desc), arena(api::make_arena(desc.precision, *context)) {
+    : context(std::move(owner)),
+      desc(world_desc),
+      arena(api::make_arena(desc.precision, *context)) {
   events.reserve(16);
 }
 
@@ -50,10 +54,11 @@ api::ClothRecord* World::Impl::find(ClothId id) noexcept {
 }
 
 Status World::Impl::stale(const char* what, uint32_t index) noexcept {
-  return context->fail(Status::invalid_handle,
-                       text("%s id %u names nothing (null, destroyed, or of another world) use the id "
-                            "that its creation returned",
-                            what, index));
+  return context->fail(
+      Status::invalid_handle,
+      text("%s id %u names nothing (null, destroyed, or of another world) use the id "
+           "that its creation returned",
+           what, index));
 }
 
 ClothId World::Impl::next_cloth_id() {
@@ -150,9 +155,10 @@ Result<ColliderId> World::create_plane(const PlaneDesc& plane) noexcept {
     const double3 n = api::checked_vector(plane.normal, "plane.normal");
     const double length = std::sqrt(n.x * n.x + n.y * n.y + n.z * n.z);
     if (!(length > 0) || !std::isfinite(length)) {
-      throw InvalidInput(text("plane.normal is (%g, %g, %g) (it has no direction) give a vector of "
-                              "ordinary length",
-                              n.x, n.y, n.z));
+      throw InvalidInput(
+          text("plane.normal is (%g, %g, %g) (it has no direction) give a vector of "
+               "ordinary length",
+               n.x, n.y, n.z));
     }
     record.point = {n.x / length, n.y / length, n.z / length};
     scene::check_finite(plane.offset, "plane.offset");
@@ -190,13 +196,15 @@ static void check_vertices(const api::ClothRecord& cloth, View<uint32_t> vertice
   scene::check_view(vertices.data, vertices.count, "vertices");
   for (uint32_t i = 0; i < vertices.count; ++i) {
     if (vertices[i] >= cloth.cooked().vertices) {
-      throw InvalidInput(text("vertices[%u] is %u (the cloth has %u vertices) give an index below that",
-                              i, vertices[i], cloth.cooked().vertices));
+      throw InvalidInput(
+          text("vertices[%u] is %u (the cloth has %u vertices) give an index below that", i,
+               vertices[i], cloth.cooked().vertices));
     }
     if (pinned && !cloth.pin_of(vertices[i])) {
-      throw InvalidInput(text("vertices[%u]: vertex %u is not pinned (only a pin can be released) leave "
-                              "it out",
-                              i, vertices[i]));
+      throw InvalidInput(
+          text("vertices[%u]: vertex %u is not pinned (only a pin can be released) leave "
+               "it out",
+               i, vertices[i]));
     }
   }
 }
@@ -209,8 +217,9 @@ Status World::move_pins(ClothId id, View<uint32_t> vertices, PointView targets) 
     check_vertices(*cloth, vertices, false);
     scene::check_positions(targets, "targets");
     if (targets.count != vertices.count) {
-      throw InvalidInput(text("targets has %u elements (vertices has %u) give one target per vertex",
-                              targets.count, vertices.count));
+      throw InvalidInput(
+          text("targets has %u elements (vertices has %u) give one target per vertex",
+               targets.count, vertices.count));
     }
     std::vector<double3> now;
     if (vertices.count > 0) {
@@ -234,7 +243,8 @@ Status World::move_pins(ClothId id, View<uint32_t> vertices, PointView targets) 
       if (!at->can_move) impl_->dirty = true;
       at->can_move = at->gliding = true;
       at->motion = -1;
-      at->base = {cloth->origin.x + now[v].x, cloth->origin.y + now[v].y, cloth->origin.z + now[v].z};
+      at->base = {cloth->origin.x + now[v].x, cloth->origin.y + now[v].y,
+                  cloth->origin.z + now[v].z};
       at->target = targets[i];
     }
     return Status::ok;

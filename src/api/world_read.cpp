@@ -43,20 +43,20 @@ static Status read_points(World::Impl* impl, ClothId id, Point* out, uint32_t st
   if (!impl) return Status::invalid_handle;
   if (const api::ClothRecord* cloth = impl->find(id);
       cloth && cloth->cooked().vertices > 0 && (!out || stride < sizeof(Point))) {
-    return impl->context->fail(Status::invalid_argument,
-                               text("positions into %s with a stride of %u bytes (a point takes %zu) "
-                                    "give a buffer and its stride",
-                                    out ? "a buffer" : "a null pointer", stride, sizeof(Point)));
+    return impl->context->fail(
+        Status::invalid_argument,
+        text("positions into %s with a stride of %u bytes (a point takes %zu) "
+             "give a buffer and its stride",
+             out ? "a buffer" : "a null pointer", stride, sizeof(Point)));
   }
-  return read_cloth(impl, id, api::StateArray::position,
-                    [&](const api::ClothRecord& cloth, uint32_t v, const double3& local) {
-                      const double3 x = api::plus(cloth.origin, local);
-                      auto* p = reinterpret_cast<Point*>(reinterpret_cast<char*>(out) +
-                                                         size_t(v) * stride);
-                      using Scalar = decltype(p->x);
-                      *p = {static_cast<Scalar>(x.x), static_cast<Scalar>(x.y),
-                            static_cast<Scalar>(x.z)};
-                    });
+  return read_cloth(
+      impl, id, api::StateArray::position,
+      [&](const api::ClothRecord& cloth, uint32_t v, const double3& local) {
+        const double3 x = api::plus(cloth.origin, local);
+        auto* p = reinterpret_cast<Point*>(reinterpret_cast<char*>(out) + size_t(v) * stride);
+        using Scalar = decltype(p->x);
+        *p = {static_cast<Scalar>(x.x), static_cast<Scalar>(x.y), static_cast<Scalar>(x.z)};
+      });
 }
 
 Status World::read_positions(ClothId id, double3* out, uint32_t stride) noexcept {
@@ -68,8 +68,9 @@ Status World::read_positions(ClothId id, float3* out, uint32_t stride) noexcept 
 
 Status World::read_accelerations(ClothId id, double3* out) noexcept {
   if (impl_ && impl_->find(id) && !out) {
-    return impl_->context->fail(Status::invalid_argument,
-                                "accelerations into a null pointer (there is no room) give a buffer");
+    return impl_->context->fail(
+        Status::invalid_argument,
+        "accelerations into a null pointer (there is no room) give a buffer");
   }
   return read_cloth(impl_, id, api::StateArray::acceleration,
                     [&](const api::ClothRecord&, uint32_t v, const double3& a) { out[v] = a; });
@@ -86,25 +87,25 @@ Status World::read_velocities(ClothId id, double3* out) noexcept {
       impl_, id, api::StateArray::acceleration,
       [&](const api::ClothRecord&, uint32_t, const double3& value) { a.push_back(value); });
   if (status != Status::ok) return status;
-  return read_cloth(
-      impl_, id, api::StateArray::displacement,
-      [&](const api::ClothRecord& cloth, uint32_t v, const double3& d) {
-        const double dt = impl_->dt_before > 0 ? impl_->dt_before : impl_->built_dt;
-        const double3 backward = api::times(1 / dt, d);
-        if (const api::PinRecord* pin = cloth.pin_of(v)) {
-          const bool moves = pin->motion >= 0;
-          out[v] = moves ? api::motion_velocity(cloth.motions[size_t(pin->motion)], impl_->time)
-                         : backward;
-          return;
-        }
-        const double half_g = 0.5 * cloth.drag * dt / cloth.cooked().mass_of(v);
-        const double3 kick = api::times(dt / 2, a[v]);
-        if (cloth.drag_model == DragModel::lagged) {
-          out[v] = api::plus(api::times(1 - half_g, backward), kick);
-        } else {
-          out[v] = api::times(1 / (1 + half_g), api::plus(backward, kick));
-        }
-      });
+  return read_cloth(impl_, id, api::StateArray::displacement,
+                    [&](const api::ClothRecord& cloth, uint32_t v, const double3& d) {
+                      const double dt = impl_->dt_before > 0 ? impl_->dt_before : impl_->built_dt;
+                      const double3 backward = api::times(1 / dt, d);
+                      if (const api::PinRecord* pin = cloth.pin_of(v)) {
+                        const bool moves = pin->motion >= 0;
+                        out[v] = moves ? api::motion_velocity(cloth.motions[size_t(pin->motion)],
+                                                              impl_->time)
+                                       : backward;
+                        return;
+                      }
+                      const double half_g = 0.5 * cloth.drag * dt / cloth.cooked().mass_of(v);
+                      const double3 kick = api::times(dt / 2, a[v]);
+                      if (cloth.drag_model == DragModel::lagged) {
+                        out[v] = api::plus(api::times(1 - half_g, backward), kick);
+                      } else {
+                        out[v] = api::times(1 / (1 + half_g), api::plus(backward, kick));
+                      }
+                    });
 }
 
 Result<Mechanics> World::mechanics() noexcept {
@@ -158,18 +159,18 @@ Result<uint64_t> World::state_hash() noexcept {
   Fnv1a hash;
   const bool wide = impl_->desc.precision == Precision::float64;
   for (const ClothId id : impl_->order) {
-    const Status status = read_cloth(
-        impl_, id, api::StateArray::position,
-        [&](const api::ClothRecord& cloth, uint32_t, const double3& local) {
-          const double3 x = api::plus(cloth.origin, local);
-          for (const double c : {x.x, x.y, x.z}) {
-            if (wide) {
-              hash.add(std::bit_cast<uint64_t>(c));
-            } else {
-              hash.add(std::bit_cast<uint32_t>(static_cast<float>(c)));
-            }
-          }
-        });
+    const Status status =
+        read_cloth(impl_, id, api::StateArray::position,
+                   [&](const api::ClothRecord& cloth, uint32_t, const double3& local) {
+                     const double3 x = api::plus(cloth.origin, local);
+                     for (const double c : {x.x, x.y, x.z}) {
+                       if (wide) {
+                         hash.add(std::bit_cast<uint64_t>(c));
+                       } else {
+                         hash.add(std::bit_cast<uint32_t>(static_cast<float>(c)));
+                       }
+                     }
+                   });
     if (status != Status::ok) return status;
   }
   return hash.value();
@@ -202,7 +203,8 @@ Result<PlanInfo> World::plan() noexcept {
   if (!impl_) return Status::invalid_handle;
   PlanInfo info{};
   const Status status = api::guarded(*impl_->context, [&] {
-    const api::ArenaInput in = impl_->arena_input(std::max(impl_->built_substeps, impl_->desc.substeps));
+    const api::ArenaInput in =
+        impl_->arena_input(std::max(impl_->built_substeps, impl_->desc.substeps));
     impl_->plan = plan::compile_plan(in.shape);
     impl_->passes.clear();
     for (const plan::Pass& p : impl_->plan.passes) {
@@ -210,8 +212,7 @@ Result<PlanInfo> World::plan() noexcept {
           {p.stage, p.kernel.c_str(), p.count, p.bytes_per_particle, p.flops_per_particle});
     }
     info.passes = {impl_->passes.data(), impl_->passes.size()};
-    info.bytes_state =
-        plan::lay_out(in.shape, impl_->context->backend->info().particle_step).bytes;
+    info.bytes_state = plan::lay_out(in.shape, impl_->context->backend->info().particle_step).bytes;
     const uint64_t arena_now = impl_->built ? impl_->arena->bytes() : 0;
     info.bytes_total = impl_->context->memory.held() - arena_now + info.bytes_state;
     return Status::ok;

@@ -57,7 +57,7 @@ struct World::Impl {
   bool starting = false;                 ///< some cloth on the device has not moved yet
   double built_dt = 0;                   ///< step that the start displacements belong to
   uint32_t built_substeps = 0;
-  bool lost = false;                     ///< diverged, or the device failed
+  bool lost = false;  ///< diverged, or the device failed
 
   double time = 0, time_base = 0;  ///< time = base + frames of one length
   double frame_dt = 0;

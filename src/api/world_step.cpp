@@ -125,10 +125,11 @@ Stability World::Impl::tightest() {
 }
 
 std::string World::Impl::bound_text(const Stability& bound, double dt, uint32_t substeps) {
-  return text("%u substeps of %.6g s (the stable bound is %.6g s, set by the spring %u-%u of cloth %u) "
-              "use at least %.0f substeps, or allow unsafe steps",
-              substeps, dt / substeps, bound.dt_bound, bound.a, bound.b, bound.cloth.index,
-              fewest_substeps(dt, bound.dt_bound));
+  return text(
+      "%u substeps of %.6g s (the stable bound is %.6g s, set by the spring %u-%u of cloth %u) "
+      "use at least %.0f substeps, or allow unsafe steps",
+      substeps, dt / substeps, bound.dt_bound, bound.a, bound.b, bound.cloth.index,
+      fewest_substeps(dt, bound.dt_bound));
 }
 
 Result<uint32_t> World::substeps(double dt) noexcept {
@@ -136,20 +137,22 @@ Result<uint32_t> World::substeps(double dt) noexcept {
   uint32_t count = 0;
   const Status status = api::guarded(*impl_->context, [&] {
     if (!std::isfinite(dt) || dt < 0 || std::fpclassify(dt) == FP_SUBNORMAL) {
-      throw InvalidInput(text("a step of %g s (time runs forward, in ordinary numbers) give a finite "
-                              "dt >= 0",
-                              dt));
+      throw InvalidInput(
+          text("a step of %g s (time runs forward, in ordinary numbers) give a finite "
+               "dt >= 0",
+               dt));
     }
     const Stability bound = impl_->tightest();
     double n = impl_->desc.substeps;
     if (n == 0) n = fewest_substeps(dt, impl_->desc.safety * bound.dt_bound);
     if (n > most_substeps) {
-      throw InvalidInput(text("a step of %g s takes %.3g substeps (at most 1e9) step less far at once",
-                              dt, n));
+      throw InvalidInput(
+          text("a step of %g s takes %.3g substeps (at most 1e9) step less far at once", dt, n));
     }
     count = static_cast<uint32_t>(n);
     if (dt > 0 && dt / n < shortest_substep) {
-      throw InvalidInput(text("a substep of %g s (the shortest is 1e-15 s) step further at once", dt / n));
+      throw InvalidInput(
+          text("a substep of %g s (the shortest is 1e-15 s) step further at once", dt / n));
     }
     if (dt / n > bound.dt_bound && !impl_->desc.unsafe) {
       return impl_->context->fail(Status::unstable_step, impl_->bound_text(bound, dt, count));
@@ -171,15 +174,16 @@ Status World::Impl::report_not_finite() {
   lost = true;
   std::vector<double3> x;
   for (api::ClothRecord* cloth : built->cloths) {
-    if (const Status status = arena->read(*cloth, api::StateArray::position, x); status != Status::ok) {
+    if (const Status status = arena->read(*cloth, api::StateArray::position, x);
+        status != Status::ok) {
       return status;
     }
     for (uint32_t v = 0; v < x.size(); ++v) {
       if (std::isfinite(x[v].x) && std::isfinite(x[v].y) && std::isfinite(x[v].z)) continue;
-      std::string message =
-          text("vertex %u of cloth %u is not finite after %.6g s (the simulation diverged) use a "
-               "shorter step or look for extreme inputs",
-               v, cloth->id.index, time);
+      std::string message = text(
+          "vertex %u of cloth %u is not finite after %.6g s (the simulation diverged) use a "
+          "shorter step or look for extreme inputs",
+          v, cloth->id.index, time);
       event_records.push_back({{EventType::non_finite, cloth->id, v, time, nullptr}, message});
       events.push_back(event_records.back().event);
       events.back().text = event_records.back().text.c_str();
@@ -206,8 +210,9 @@ Status World::Impl::run(double dt, uint32_t substeps) {
     status = arena->frame(*built, {static_cast<int>(substeps), sub_dt, before, time, threads});
     if (status != Status::ok) {
       lost = true;
-      return context->fail(status, "the device failed during a step (its state is lost) destroy the "
-                                   "world");
+      return context->fail(status,
+                           "the device failed during a step (its state is lost) destroy the "
+                           "world");
     }
   }
   if (dt != frame_dt) {

@@ -1,5 +1,5 @@
-// Atomic words of host code that may not include <atomic>: its inline functions would be compiled at
-// several instruction levels under one name.
+// Atomic words of host code that may not include <atomic>: its inline functions would be compiled
+// at several instruction levels under one name.
 #pragma once
 
 #include "base/portability.h"

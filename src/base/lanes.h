@@ -1,8 +1,8 @@
 // A block of 32 particles under one control flow.
 //
-// A kernel's operator() runs once per block on the CPU, with Lanes<32>, and once per thread of a warp
-// on the GPU, with Lanes<1>. Only what stands inside `each` touches a particle; everything outside is
-// uniform for the block and free to branch and loop:
+// A kernel's operator() runs once per block on the CPU, with Lanes<32>, and once per thread of a
+// warp on the GPU, with Lanes<1>. Only what stands inside `each` touches a particle; everything
+// outside is uniform for the block and free to branch and loop:
 //
 //     for (int s = 0; s < spheres; ++s)             // uniform
 //       lanes.each([&](int l) WEFT_LANE { ... });   // CPU: one vectorised loop over 32 lanes

@@ -6,7 +6,7 @@
 //   WEFT_LANE        goes between the parameter list and the body of a lane lambda
 //   WEFT_SIMD        before a loop over the lanes of a block
 //   WEFT_UNROLL      before a loop of constant length that must disappear
-//   WEFT_BACKEND_NS  namespace of everything that this compilation turns into code: two copies of one
+//   WEFT_BACKEND_NS  namespace of everything that this compilation turns into code: two copies of a
 //                    function never share a symbol, so the linker cannot keep the wrong one
 #pragma once
 
@@ -46,8 +46,8 @@
 #  define WEFT_BACKEND_NS host
 #endif
 
-/// Scalars from one particle to the next in an array of vectors: 1 stores x, y and z apart (structure
-/// of arrays), 4 stores x, y, z and a pad together. Bits do not depend on it.
+/// Scalars from one particle to the next in an array of vectors: 1 stores x, y and z apart
+/// (structure of arrays), 4 stores x, y, z and a pad together. Bits do not depend on it.
 #ifndef WEFT_PARTICLE_STEP
 #  define WEFT_PARTICLE_STEP 1
 #endif

@@ -1,4 +1,5 @@
-// Views of device memory. Vec3Array hides the memory layout of vectors: kernels only load and store.
+// Views of device memory. Vec3Array hides the memory layout of vectors: kernels only load and
+// store.
 #pragma once
 
 #include "base/vec3.h"

@@ -20,7 +20,9 @@ struct GpuDevice {
     return status_of(launch == gpu_success ? WEFT_GPU(StreamSynchronize)(nullptr) : launch);
   }
 
-  static void* allocate(const Allocator& host, size_t bytes) { return allocate_memory(host, bytes); }
+  static void* allocate(const Allocator& host, size_t bytes) {
+    return allocate_memory(host, bytes);
+  }
   static void release(const Allocator& host, void* memory, size_t bytes) {
     release_memory(host, memory, bytes);
   }

@@ -13,8 +13,8 @@ constexpr int warps_per_group = 8;
 
 template <class Kernel>
 __global__ void run_blocks(const int count, const Kernel kernel) {
-  const int block = static_cast<int>(blockIdx.x) * warps_per_group +
-                    static_cast<int>(threadIdx.x) / block_size;
+  const int block =
+      static_cast<int>(blockIdx.x) * warps_per_group + static_cast<int>(threadIdx.x) / block_size;
   if (block < count) kernel(block, static_cast<int>(threadIdx.x) % block_size, Lanes<1>{});
 }
 
@@ -28,8 +28,8 @@ class Team {
     check_kernel<Kernel>();
     if (count == 0) return;
     const int groups = (count + warps_per_group - 1) / warps_per_group;
-    run_blocks<<<dim3(static_cast<unsigned>(groups)), dim3(warps_per_group * block_size), 0, stream_>>>(
-        count, kernel);
+    run_blocks<<<dim3(static_cast<unsigned>(groups)), dim3(warps_per_group * block_size), 0,
+                 stream_>>>(count, kernel);
   }
   void meet() const {}
   bool leads() const { return true; }

@@ -20,12 +20,12 @@ static Status contained(const Call& call) {
 }
 
 Status sort_scan(const uint32_t* in, uint32_t* out, int count) {
-  return contained([&] { thrust::exclusive_scan(thrust::device, in, in + count, out, uint32_t(0)); });
+  return contained(
+      [&] { thrust::exclusive_scan(thrust::device, in, in + count, out, uint32_t(0)); });
 }
 
 Status sort_pairs(uint32_t* keys, uint32_t* values, int count) {
-  return contained(
-      [&] { thrust::stable_sort_by_key(thrust::device, keys, keys + count, values); });
+  return contained([&] { thrust::stable_sort_by_key(thrust::device, keys, keys + count, values); });
 }
 
 }  // namespace WEFT_BACKEND_NS

@@ -1,7 +1,7 @@
 // The kernel of a substep: forces | integration | colliders | pins, as stages of one pass.
 //
-// Inputs are the buffers of time n, outputs those of time n+1. A stage that a cloth does not need is
-// a uniform branch not taken, once per block of 32 particles.
+// Inputs are the buffers of time n, outputs those of time n+1. A stage that a cloth does not need
+// is a uniform branch not taken, once per block of 32 particles.
 #pragma once
 
 #include "kernels/grid_springs.h"

@@ -14,8 +14,7 @@ WEFT_HD Vec3<T> out_of_sphere(Vec3<T> x, Vec3<T> c, T radius) {
   const T distance = square_root(dot(from, from));
   const bool at_center = !(distance > T(0));
   const T outward = radius / (at_center ? T(1) : distance);
-  const Vec3<T> surface =
-      c + select(at_center, Vec3<T>{T(0), radius, T(0)}, outward * from);
+  const Vec3<T> surface = c + select(at_center, Vec3<T>{T(0), radius, T(0)}, outward * from);
   return select(distance < radius, surface - x, Vec3<T>{T(0), T(0), T(0)});
 }
 

@@ -1,9 +1,9 @@
 // Spring forces of a grid, gathered: every particle sums over its stencil.
 //
-// Fratarcangeli 2011, Listing 22.1, step 5. Topology is implicit; a neighbour is a constant distance
-// away in memory. Blocks whose particles have all neighbours skip the presence bits. In the others a
-// missing neighbour is loaded all the same (guard bands make that legal) and replaced by the particle
-// itself, which pulls nothing.
+// Fratarcangeli 2011, Listing 22.1, step 5. Topology is implicit; a neighbour is a constant
+// distance away in memory. Blocks whose particles have all neighbours skip the presence bits. In
+// the others a missing neighbour is loaded all the same (guard bands make that legal) and replaced
+// by the particle itself, which pulls nothing.
 #pragma once
 
 #include "base/lanes.h"
@@ -69,8 +69,8 @@ struct GridSprings {
 
   /// Adds the damping along the springs to `force`; velocities are displacements * per_dt.
   template <bool Position, int N>
-  WEFT_HD void damp(const ClothParams<T>& cloth, const ParticleBuffers<T>& p, T per_dt, int /*block*/,
-                    int i0, Lanes<N> lanes, LaneVec3<T, N>& force) const {
+  WEFT_HD void damp(const ClothParams<T>& cloth, const ParticleBuffers<T>& p, T per_dt,
+                    int /*block*/, int i0, Lanes<N> lanes, LaneVec3<T, N>& force) const {
     const Shifts shift = shifts(cloth);
     lanes.each([&](int l) WEFT_LANE {
       const Vec3<T> here = load(p.x_in, i0 + l);

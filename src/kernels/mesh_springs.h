@@ -1,7 +1,7 @@
 // Spring forces of a mesh or network, gathered over sliced rows (state/springs.h).
 //
-// Georgii and Westermann 2005, section 4.1 (point-centric approach), without padding every row to the
-// largest valence: the width is a slice's own.
+// Georgii and Westermann 2005, section 4.1 (point-centric approach), without padding every row to
+// the largest valence: the width is a slice's own.
 #pragma once
 
 #include "base/lanes.h"

@@ -41,8 +41,7 @@ struct ParticleStages {
     for (int s = cloth.sphere_first; s < cloth.sphere_end; ++s) {
       const Sphere<T> sphere = sim.colliders.spheres[s];
       const Vec3<T> center = sphere.center + step.time * sphere.velocity;
-      push(i0, lanes,
-           [&](Vec3<T> x) WEFT_LANE { return out_of_sphere(x, center, sphere.radius); });
+      push(i0, lanes, [&](Vec3<T> x) WEFT_LANE { return out_of_sphere(x, center, sphere.radius); });
     }
     for (int s = cloth.plane_first; s < cloth.plane_end; ++s) {
       const Plane<T> plane = sim.colliders.planes[s];
@@ -98,10 +97,10 @@ struct ParticleStages {
     const T c_dt = cloth.drag * step.dt;
     switch (static_cast<Drag>(cloth.drag_model)) {
       case Drag::none:
-        return for_each_particle<Position>(
-            i0, lanes, force, [&](int i, Vec3<T> d, Vec3<T> a, T w) WEFT_LANE {
-              move<Position>(i, next_displacement(d, a, step), w);
-            });
+        return for_each_particle<Position>(i0, lanes, force,
+                                           [&](int i, Vec3<T> d, Vec3<T> a, T w) WEFT_LANE {
+                                             move<Position>(i, next_displacement(d, a, step), w);
+                                           });
       case Drag::central:
         return for_each_particle<Position>(
             i0, lanes, force, [&](int i, Vec3<T> d, Vec3<T> a, T w) WEFT_LANE {
@@ -123,8 +122,7 @@ struct ParticleStages {
     if (step.update == Update::start) return integrate_start(cloth, i0, lanes, force);
     if (step.update == Update::acceleration) {
       return for_each_particle<false>(
-          i0, lanes, force,
-          [&](int i, Vec3<T>, Vec3<T> a, T) WEFT_LANE { store(p.x_out, i, a); });
+          i0, lanes, force, [&](int i, Vec3<T>, Vec3<T> a, T) WEFT_LANE { store(p.x_out, i, a); });
     }
     if (static_cast<Drag>(cloth.drag_model) != Drag::none) {
       return integrate_displacement<true>(cloth, i0, lanes, force);

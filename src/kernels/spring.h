@@ -6,9 +6,10 @@
 namespace weft {
 namespace WEFT_BACKEND_NS {
 
-/// Force on the end i of a spring: k (l - l0)/l (x_j - x_i), with `to` = x_j - x_i and l its length.
-/// Georgii and Westermann 2005, eq. (1); Fratarcangeli 2011, section 22.2; both with the sign that
-/// they mean. A spring of no length pulls nothing, so "neighbour = self" is the null spring.
+/// Force on the end i of a spring: k (l - l0)/l (x_j - x_i), with `to` = x_j - x_i and l its
+/// length. Georgii and Westermann 2005, eq. (1); Fratarcangeli 2011, section 22.2; both with the
+/// sign that they mean. A spring of no length pulls nothing, so "neighbour = self" is the null
+/// spring.
 template <class T>
 WEFT_HD Vec3<T> spring_force(Vec3<T> to, T stiffness, T rest) {
   const T length = square_root(dot(to, to));

@@ -19,7 +19,9 @@ struct HostDevice {
   static Exec exec(int blocks, int threads) { return Exec(Exec::useful_threads(blocks, threads)); }
   static Status finish() { return Status::ok; }
 
-  static void* allocate(const Allocator& host, size_t bytes) { return allocate_memory(host, bytes); }
+  static void* allocate(const Allocator& host, size_t bytes) {
+    return allocate_memory(host, bytes);
+  }
   static void release(const Allocator& host, void* memory, size_t bytes) {
     release_memory(host, memory, bytes);
   }

@@ -1,5 +1,6 @@
-// The OpenMP executor: blocks are split evenly over threads in order, 32 lanes a block, one parallel
-// region per frame. Part of every instruction-level object: no container, no algorithm, no stream.
+// The OpenMP executor: blocks are split evenly over threads in order, 32 lanes a block, one
+// parallel region per frame. Part of every instruction-level object: no container, no algorithm, no
+// stream.
 #pragma once
 
 #include <omp.h>

@@ -66,12 +66,18 @@ Pass advance_pass(const WorldShape& world, KernelKind kind) {
 
 const char* kernel_name(KernelKind kind) {
   switch (kind) {
-    case KernelKind::seed12: return "grid_seed12";
-    case KernelKind::classic12: return "grid_classic12";
-    case KernelKind::quad4: return "grid_quad4";
-    case KernelKind::tri6: return "grid_tri6";
-    case KernelKind::mesh_uniform: return "mesh_uniform";
-    case KernelKind::mesh_per_spring: return "mesh_per_spring";
+    case KernelKind::seed12:
+      return "grid_seed12";
+    case KernelKind::classic12:
+      return "grid_classic12";
+    case KernelKind::quad4:
+      return "grid_quad4";
+    case KernelKind::tri6:
+      return "grid_tri6";
+    case KernelKind::mesh_uniform:
+      return "mesh_uniform";
+    case KernelKind::mesh_per_spring:
+      return "mesh_per_spring";
   }
   return "unknown";
 }

@@ -13,8 +13,8 @@ struct ClothShape {
   KernelKind kind;
   uint32_t particles;
   uint64_t directed_springs;
-  int64_t row_entries;       ///< sliced rows, padding included; 0 for grids
-  int guard;                 ///< elements that the stencil reads before and behind
+  int64_t row_entries;  ///< sliced rows, padding included; 0 for grids
+  int guard;            ///< elements that the stencil reads before and behind
   bool constant_forces;
   bool drag;
   bool spring_damping;

@@ -85,7 +85,8 @@ Layout lay_out(const WorldShape& world, int particle_step) {
   }
   l.inverse_mass = cut.take(particles, scalar);
   l.block_cloth = cut.take(blocks, sizeof(int32_t));
-  l.cloths = cut.take(world.cloths.size(), wide ? sizeof(ClothParams<double>) : sizeof(ClothParams<float>));
+  l.cloths = cut.take(world.cloths.size(),
+                      wide ? sizeof(ClothParams<double>) : sizeof(ClothParams<float>));
   if (world.any_grid()) {
     l.presence = cut.take(particles, sizeof(uint16_t));
     l.block_inner = cut.take(blocks, 1);
@@ -99,7 +100,8 @@ Layout lay_out(const WorldShape& world, int particle_step) {
   if (forced > 0) l.force = cut.take_vectors(forced * block_size, 0);
   const size_t cloths = world.cloths.size();
   if (world.spheres > 0) {
-    l.spheres = cut.take(cloths * world.spheres, wide ? sizeof(Sphere<double>) : sizeof(Sphere<float>));
+    l.spheres =
+        cut.take(cloths * world.spheres, wide ? sizeof(Sphere<double>) : sizeof(Sphere<float>));
   }
   if (world.planes > 0) {
     l.planes = cut.take(cloths * world.planes, wide ? sizeof(Plane<double>) : sizeof(Plane<float>));

@@ -3,13 +3,14 @@
 #include <Eigen/Dense>
 #include <cmath>
 
-#include "base/message.h"
+#include "base/message_host.h"
 
 namespace weft::scene {
 
 void check_finite(double value, const char* field) {
   if (!std::isfinite(value)) {
-    throw InvalidInput(text("%s is %g (it must be a finite number) give a finite value", field, value));
+    throw InvalidInput(
+        text("%s is %g (it must be a finite number) give a finite value", field, value));
   }
 }
 void check_not_negative(double value, const char* field) {
@@ -26,9 +27,10 @@ void check_positive(double value, const char* field) {
 }
 void check_view(const void* data, uint64_t count, const char* field) {
   if (count > 0 && data == nullptr) {
-    throw InvalidInput(text("%s has %llu elements and a null pointer (there is nothing to read) "
-                            "give the data or a count of 0",
-                            field, static_cast<unsigned long long>(count)));
+    throw InvalidInput(
+        text("%s has %llu elements and a null pointer (there is nothing to read) "
+             "give the data or a count of 0",
+             field, static_cast<unsigned long long>(count)));
   }
 }
 
@@ -41,15 +43,17 @@ void check_material(const Material& m, uint32_t vertices) {
   if (m.mass.kind != Mass::Kind::per_vertex) return check_positive(m.mass.value, "mass");
   check_view(m.mass.values.data, m.mass.values.count, "mass.values");
   if (m.mass.values.count != vertices) {
-    throw InvalidInput(text("mass.values has %u elements (the fabric has %u vertices) give one mass "
-                            "per vertex",
-                            m.mass.values.count, vertices));
+    throw InvalidInput(
+        text("mass.values has %u elements (the fabric has %u vertices) give one mass "
+             "per vertex",
+             m.mass.values.count, vertices));
   }
   for (uint32_t v = 0; v < vertices; ++v) {
     if (!(m.mass.values[v] > 0) || !std::isfinite(m.mass.values[v])) {
-      throw InvalidInput(text("mass of vertex %u is %g (a free vertex needs a finite mass > 0) give a "
-                              "positive mass, and pin the vertex if it shall not move",
-                              v, m.mass.values[v]));
+      throw InvalidInput(
+          text("mass of vertex %u is %g (a free vertex needs a finite mass > 0) give a "
+               "positive mass, and pin the vertex if it shall not move",
+               v, m.mass.values[v]));
     }
   }
 }
@@ -58,17 +62,19 @@ void check_positions(PointView p, const char* field) {
   check_view(p.data, p.count, field);
   const uint32_t point = p.is_double ? sizeof(double3) : sizeof(float3);
   if (p.count > 1 && p.stride < point) {
-    throw InvalidInput(text("%s has a stride of %u bytes (a point takes %u) give the distance from "
-                            "point to point",
-                            field, p.stride, point));
+    throw InvalidInput(
+        text("%s has a stride of %u bytes (a point takes %u) give the distance from "
+             "point to point",
+             field, p.stride, point));
   }
   for (uint32_t v = 0; v < p.count; ++v) {
     const double3 x = p[v];
     for (const double c : {x.x, x.y, x.z}) {
       if (!std::isfinite(c) || std::fabs(c) > largest_coordinate) {
-        throw InvalidInput(text("%s: vertex %u is at (%g, %g, %g) (coordinates must be finite and "
-                                "within 1e9 m) move or scale it",
-                                field, v, x.x, x.y, x.z));
+        throw InvalidInput(
+            text("%s: vertex %u is at (%g, %g, %g) (coordinates must be finite and "
+                 "within 1e9 m) move or scale it",
+                 field, v, x.x, x.y, x.z));
       }
     }
   }
@@ -117,15 +123,17 @@ static void set_masses_by_density(double density, CookedFabric& fabric) {
     }
   }
   if (members == 0 && fabric.vertices > 0) {
-    throw InvalidInput("mass by density (the fabric has no triangle to have an area) give a total "
-                       "mass or one mass per vertex");
+    throw InvalidInput(
+        "mass by density (the fabric has no triangle to have an area) give a total "
+        "mass or one mass per vertex");
   }
   for (uint32_t v = 0; v < fabric.vertices; ++v) {
     if (!touched[v]) fabric.masses[v] = sum / members;
     if (!(fabric.masses[v] > 0)) {
-      throw InvalidInput(text("vertex %u has no mass (all its triangles have zero area) give masses "
-                              "per vertex or mend the mesh",
-                              v));
+      throw InvalidInput(
+          text("vertex %u has no mass (all its triangles have zero area) give masses "
+               "per vertex or mend the mesh",
+               v));
     }
   }
   if (loose > 0) {
@@ -142,7 +150,8 @@ void set_masses(const Mass& mass, CookedFabric& fabric) {
     case Mass::Kind::total:
       fabric.mass = fabric.vertices > 0 ? mass.value / fabric.vertices : mass.value;
       return;
-    case Mass::Kind::density: return set_masses_by_density(mass.value, fabric);
+    case Mass::Kind::density:
+      return set_masses_by_density(mass.value, fabric);
     case Mass::Kind::per_vertex:
       fabric.masses.resize(fabric.vertices);
       for (uint32_t v = 0; v < fabric.vertices; ++v) fabric.masses[v] = mass.values[v];

@@ -28,8 +28,8 @@ static double grid_elastic(const EnergyInput& in) {
       const StencilOffset o = table.offset[k];
       if (!has_neighbour(g, row, column, o)) continue;
       const auto j = static_cast<uint32_t>((row + o.row) * g.columns + column + o.column);
-      sum += spring_energy(in, v, j, stencil_stiffness(o, in.fabric.stiffness),
-                           in.fabric.rest_length);
+      sum +=
+          spring_energy(in, v, j, stencil_stiffness(o, in.fabric.stiffness), in.fabric.rest_length);
     }
   }
   return sum;

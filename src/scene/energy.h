@@ -5,8 +5,9 @@
 
 namespace weft::scene {
 
-/// Of a cloth at world positions `x` with velocities `v`; `rest(i, j)` is the rest length of a spring
-/// whose length is initial. Pinned vertices count neither kinetic nor potential energy nor momentum.
+/// Of a cloth at world positions `x` with velocities `v`; `rest(i, j)` is the rest length of a
+/// spring whose length is initial. Pinned vertices count neither kinetic nor potential energy nor
+/// momentum.
 struct EnergyInput {
   const CookedFabric& fabric;
   const std::vector<double3>& x;

@@ -25,10 +25,10 @@ struct GridShape {
 struct SpringRows {
   explicit SpringRows(std::pmr::memory_resource* memory)
       : start(memory), neighbour(memory), stiffness(memory), rest(memory) {}
-  Array<uint64_t> start;       ///< vertices + 1
-  Array<uint32_t> neighbour;   ///< two entries per spring
-  Array<double> stiffness;     ///< per entry; empty: the same for all
-  Array<double> rest;          ///< per entry, negative: initial; empty: the fabric's for all
+  Array<uint64_t> start;      ///< vertices + 1
+  Array<uint32_t> neighbour;  ///< two entries per spring
+  Array<double> stiffness;    ///< per entry; empty: the same for all
+  Array<double> rest;         ///< per entry, negative: initial; empty: the fabric's for all
 };
 
 struct CookedDiagnostic {
@@ -39,8 +39,13 @@ struct CookedDiagnostic {
 
 struct CookedFabric {
   explicit CookedFabric(std::pmr::memory_resource* memory)
-      : positions(memory), triangles(memory), masses(memory), rows(memory), caller_of(memory),
-        storage_of(memory), slice_start(memory) {}
+      : positions(memory),
+        triangles(memory),
+        masses(memory),
+        rows(memory),
+        caller_of(memory),
+        storage_of(memory),
+        slice_start(memory) {}
 
   bool is_grid = false;
   uint32_t vertices = 0;

@@ -2,26 +2,52 @@
 
 #include <cstdlib>
 
-#include "base/message.h"
+#include "base/message_host.h"
 #include "scene/check.h"
 
 namespace weft::scene {
 
 const StencilTable& stencil_table(Stencil stencil) {
-  static const StencilTable seed12{12, {{-2, -2}, {-2, 2}, {-1, -1}, {-1, 0}, {-1, 1}, {0, -1},
-                                        {0, 1}, {1, -1}, {1, 0}, {1, 1}, {2, -2}, {2, 2}}};
-  static const StencilTable classic12{12, {{-2, 0}, {-1, -1}, {-1, 0}, {-1, 1}, {0, -2}, {0, -1},
-                                           {0, 1}, {0, 2}, {1, -1}, {1, 0}, {1, 1}, {2, 0}}};
+  static const StencilTable seed12{12,
+                                   {{-2, -2},
+                                    {-2, 2},
+                                    {-1, -1},
+                                    {-1, 0},
+                                    {-1, 1},
+                                    {0, -1},
+                                    {0, 1},
+                                    {1, -1},
+                                    {1, 0},
+                                    {1, 1},
+                                    {2, -2},
+                                    {2, 2}}};
+  static const StencilTable classic12{12,
+                                      {{-2, 0},
+                                       {-1, -1},
+                                       {-1, 0},
+                                       {-1, 1},
+                                       {0, -2},
+                                       {0, -1},
+                                       {0, 1},
+                                       {0, 2},
+                                       {1, -1},
+                                       {1, 0},
+                                       {1, 1},
+                                       {2, 0}}};
   static const StencilTable quad4{4, {{-1, 0}, {0, -1}, {0, 1}, {1, 0}}};
   static const StencilTable tri6{6, {{-1, -1}, {-1, 0}, {0, -1}, {0, 1}, {1, 0}, {1, 1}}};
   switch (stencil) {
-    case Stencil::seed12: return seed12;
-    case Stencil::classic12: return classic12;
-    case Stencil::quad4: return quad4;
-    case Stencil::tri6: return tri6;
+    case Stencil::seed12:
+      return seed12;
+    case Stencil::classic12:
+      return classic12;
+    case Stencil::quad4:
+      return quad4;
+    case Stencil::tri6:
+      return tri6;
   }
-  throw InvalidInput(text("stencil %d (it is none of seed12, classic12, quad4, tri6) give one of them",
-                          int(stencil)));
+  throw InvalidInput(text(
+      "stencil %d (it is none of seed12, classic12, quad4, tri6) give one of them", int(stencil)));
 }
 
 int stencil_reach(Stencil stencil) {
@@ -46,15 +72,17 @@ static uint64_t spring_count(const GridShape& g) {
 
 void cook_grid(const GridDesc& desc, CookedFabric& fabric) {
   if (desc.rows < 1 || desc.columns < 1) {
-    throw InvalidInput(text("grid of %u x %u (a grid needs at least one row and one column) give "
-                            "rows and columns >= 1",
-                            desc.rows, desc.columns));
+    throw InvalidInput(
+        text("grid of %u x %u (a grid needs at least one row and one column) give "
+             "rows and columns >= 1",
+             desc.rows, desc.columns));
   }
   const uint64_t vertices = uint64_t(desc.rows) * desc.columns;
   if (vertices > (uint64_t(1) << 30)) {
-    throw InvalidInput(text("grid of %u x %u (a fabric has at most 2^30 vertices) use fewer rows or "
-                            "columns",
-                            desc.rows, desc.columns));
+    throw InvalidInput(
+        text("grid of %u x %u (a fabric has at most 2^30 vertices) use fewer rows or "
+             "columns",
+             desc.rows, desc.columns));
   }
   check_positive(desc.width, "width");
   check_positive(desc.height, "height");
@@ -62,8 +90,9 @@ void cook_grid(const GridDesc& desc, CookedFabric& fabric) {
   check_material(desc.material, static_cast<uint32_t>(vertices));
   const double scale = desc.material.scale;
   if (desc.width * scale > largest_coordinate || desc.height * scale > largest_coordinate) {
-    throw InvalidInput(text("grid of %g m x %g m (coordinates must stay within 1e9 m) make it smaller",
-                            desc.width * scale, desc.height * scale));
+    throw InvalidInput(
+        text("grid of %g m x %g m (coordinates must stay within 1e9 m) make it smaller",
+             desc.width * scale, desc.height * scale));
   }
   fabric.is_grid = true;
   fabric.vertices = static_cast<uint32_t>(vertices);

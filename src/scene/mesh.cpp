@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "base/message.h"
+#include "base/message_host.h"
 #include "scene/check.h"
 #include "scene/rows.h"
 
@@ -24,16 +24,19 @@ void check_triangles(const MeshDesc& desc) {
   }
   for (uint32_t i = 0; i < desc.indices.count; ++i) {
     if (desc.indices[i] >= desc.positions.count) {
-      throw InvalidInput(text("triangle %u names vertex %u (the mesh has %u) give an index below that",
-                              i / 3, desc.indices[i], desc.positions.count));
+      throw InvalidInput(
+          text("triangle %u names vertex %u (the mesh has %u) give an index below that", i / 3,
+               desc.indices[i], desc.positions.count));
     }
   }
   for (uint32_t t = 0; t < desc.indices.count / 3; ++t) {
-    const uint32_t a = desc.indices[3 * t], b = desc.indices[3 * t + 1], c = desc.indices[3 * t + 2];
+    const uint32_t a = desc.indices[3 * t], b = desc.indices[3 * t + 1],
+                   c = desc.indices[3 * t + 2];
     if (a == b || b == c || a == c) {
-      throw InvalidInput(text("triangle %u is (%u, %u, %u) (a triangle has three different vertices) "
-                              "remove it or mend its indices",
-                              t, a, b, c));
+      throw InvalidInput(
+          text("triangle %u is (%u, %u, %u) (a triangle has three different vertices) "
+               "remove it or mend its indices",
+               t, a, b, c));
     }
   }
 }

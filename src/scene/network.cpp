@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "base/message.h"
+#include "base/message_host.h"
 #include "scene/check.h"
 #include "scene/rows.h"
 
@@ -12,15 +12,17 @@ namespace {
 void check_spring(const Spring& s, uint32_t index, uint32_t vertices) {
   for (const uint32_t v : {s.a, s.b}) {
     if (v >= vertices) {
-      throw InvalidInput(text("spring %u names vertex %u (the network has %u) give an index below that",
-                              index, v, vertices));
+      throw InvalidInput(
+          text("spring %u names vertex %u (the network has %u) give an index below that", index, v,
+               vertices));
     }
   }
   if (s.a == s.b) {
-    throw InvalidInput(text("spring %u joins vertex %u to itself (a spring has two ends) remove it",
-                            index, s.a));
+    throw InvalidInput(
+        text("spring %u joins vertex %u to itself (a spring has two ends) remove it", index, s.a));
   }
-  if (s.stiffness != -1) check_not_negative(s.stiffness, text("springs[%u].stiffness", index).c_str());
+  if (s.stiffness != -1)
+    check_not_negative(s.stiffness, text("springs[%u].stiffness", index).c_str());
   if (s.rest_length != -1) {
     check_not_negative(s.rest_length, text("springs[%u].rest_length", index).c_str());
   }
@@ -52,11 +54,11 @@ void cook_network(const NetworkDesc& desc, CookedFabric& fabric) {
   springs.reserve(all.size());
   for (const uint32_t i : order) {
     if (!springs.empty() && springs.back().a == all[i].a && springs.back().b == all[i].b) {
-      fabric.diagnostics.push_back(
-          {Severity::warning, i,
-           text("spring %u joins vertices %u and %u, which a spring joins already (it is merged with "
-                "the first) remove it, or add the stiffness to the first",
-                i, all[i].a, all[i].b)});
+      fabric.diagnostics.push_back({Severity::warning, i,
+                                    text("spring %u joins vertices %u and %u, which a spring joins "
+                                         "already (it is merged with "
+                                         "the first) remove it, or add the stiffness to the first",
+                                         i, all[i].a, all[i].b)});
       continue;
     }
     springs.push_back(all[i]);

@@ -39,7 +39,8 @@ void build_rows(const std::vector<SpringRecord>& springs, CookedFabric& fabric) 
   for (size_t e = 0; e < entries.size(); ++e) {
     const SpringRecord& s = springs[entries[e].spring];
     rows.neighbour[e] = entries[e].neighbour;
-    if (own_stiffness) rows.stiffness[e] = s.stiffness >= 0 ? s.stiffness : fabric.stiffness.stretch;
+    if (own_stiffness)
+      rows.stiffness[e] = s.stiffness >= 0 ? s.stiffness : fabric.stiffness.stretch;
     if (own_rest) rows.rest[e] = s.rest >= 0 ? s.rest : fabric.rest_length;
   }
   order_rows(fabric);

@@ -12,7 +12,8 @@ namespace {
 
 class BoundSearch {
  public:
-  BoundSearch(const CookedFabric& fabric, const BoundInput& input) : fabric_(fabric), input_(input) {}
+  BoundSearch(const CookedFabric& fabric, const BoundInput& input)
+      : fabric_(fabric), input_(input) {}
 
   Bound find() {
     if (fabric_.is_grid) {
@@ -104,7 +105,8 @@ class BoundSearch {
           const auto r = static_cast<uint32_t>(int64_t(row) + o.row);
           const auto c = static_cast<uint32_t>(int64_t(column) + o.column);
           const Sum& there = sums[class_of(r, g.rows)][class_of(c, g.columns)];
-          spring(a, r * g.columns + c, here.stiffness, there.stiffness, here.valence, there.valence);
+          spring(a, r * g.columns + c, here.stiffness, there.stiffness, here.valence,
+                 there.valence);
         }
       }
     }
@@ -123,7 +125,9 @@ class BoundSearch {
     const SpringRows& rows = fabric_.rows;
     std::vector<double> sums(fabric_.vertices);
     for (uint32_t v = 0; v < fabric_.vertices; ++v) sums[v] = row_sum(v);
-    const auto valence = [&](uint32_t v) { return double(rows.start[size_t(v) + 1] - rows.start[v]); };
+    const auto valence = [&](uint32_t v) {
+      return double(rows.start[size_t(v) + 1] - rows.start[v]);
+    };
     for (uint32_t v = 0; v < fabric_.vertices; ++v) {
       vertex(v);
       for (uint64_t e = rows.start[v]; e < rows.start[size_t(v) + 1]; ++e) {

@@ -8,8 +8,9 @@
 namespace weft::scene {
 
 /// dt^2 K + 2 dt C = 4, K and C the largest S_i/m_i + S_j/m_j over the springs with S_i the summed
-/// stiffness (damping) of vertex i, pinned vertices counting 1/m = 0 (scaled Gershgorin bound on the
-/// edge matrix: rigorous at every deformation for the positive part of the stiffness, linearly).
+/// stiffness (damping) of vertex i, pinned vertices counting 1/m = 0 (scaled Gershgorin bound on
+/// the edge matrix: rigorous at every deformation for the positive part of the stiffness,
+/// linearly).
 struct Bound {
   double dt;      ///< infinite when nothing bounds it
   uint32_t a, b;  ///< the spring with the largest K; a == b: a vertex bound by its drag alone

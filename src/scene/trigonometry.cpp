@@ -10,14 +10,17 @@ namespace {
 SineCosine on_first_octants(double x) {
   const double z = x * x;
   double s = 0, c = 0;
-  static constexpr double sine_terms[] = {1.0 / 355687428096000.0, -1.0 / 1307674368000.0,
-                                          1.0 / 6227020800.0,      -1.0 / 39916800.0,
-                                          1.0 / 362880.0,          -1.0 / 5040.0,
-                                          1.0 / 120.0,             -1.0 / 6.0};
-  static constexpr double cosine_terms[] = {-1.0 / 6402373705728000.0, 1.0 / 20922789888000.0,
-                                            -1.0 / 87178291200.0,      1.0 / 479001600.0,
-                                            -1.0 / 3628800.0,          1.0 / 40320.0,
-                                            -1.0 / 720.0,              1.0 / 24.0,
+  static constexpr double sine_terms[] = {
+      1.0 / 355687428096000.0, -1.0 / 1307674368000.0, 1.0 / 6227020800.0, -1.0 / 39916800.0,
+      1.0 / 362880.0,          -1.0 / 5040.0,          1.0 / 120.0,        -1.0 / 6.0};
+  static constexpr double cosine_terms[] = {-1.0 / 6402373705728000.0,
+                                            1.0 / 20922789888000.0,
+                                            -1.0 / 87178291200.0,
+                                            1.0 / 479001600.0,
+                                            -1.0 / 3628800.0,
+                                            1.0 / 40320.0,
+                                            -1.0 / 720.0,
+                                            1.0 / 24.0,
                                             -0.5};
   for (const double term : sine_terms) s = s * z + term;
   for (const double term : cosine_terms) c = c * z + term;
@@ -26,10 +29,14 @@ SineCosine on_first_octants(double x) {
 
 SineCosine turn(SineCosine v, int quarters) {
   switch (quarters & 3) {
-    case 1: return {v.cosine, -v.sine};
-    case 2: return {-v.sine, -v.cosine};
-    case 3: return {-v.cosine, v.sine};
-    default: return v;
+    case 1:
+      return {v.cosine, -v.sine};
+    case 2:
+      return {-v.sine, -v.cosine};
+    case 3:
+      return {-v.cosine, v.sine};
+    default:
+      return v;
   }
 }
 

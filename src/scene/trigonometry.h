@@ -1,4 +1,5 @@
-// Sine and cosine with the same bits on every processor (the C library picks variants by processor).
+// Sine and cosine with the same bits on every processor (the C library picks variants by
+// processor).
 #pragma once
 
 namespace weft::scene {

@@ -1,5 +1,5 @@
-// Particles of all cloths: one arena, each cloth padded to whole blocks, with guard bands at both ends
-// that make every stencil load legal.
+// Particles of all cloths: one arena, each cloth padded to whole blocks, with guard bands at both
+// ends that make every stencil load legal.
 //
 //   | guard | cloth 0 ........ pad | cloth 1 ... pad | ... | guard |
 //           ^ element 0, block 0
@@ -9,8 +9,8 @@
 
 namespace weft {
 
-/// What one substep reads and writes. `d` is the displacement of the last substep in the summed form
-/// and the previous position in the position form.
+/// What one substep reads and writes. `d` is the displacement of the last substep in the summed
+/// form and the previous position in the position form.
 template <class T>
 struct ParticleBuffers {
   Vec3Array<T> x_in, d_in, x_out, d_out;
@@ -19,8 +19,8 @@ struct ParticleBuffers {
 /// Everything that is equal for all particles of a cloth.
 template <class T>
 struct ClothParams {
-  int first;    ///< element of its first particle
-  int columns;  ///< grids: elements from row to row
+  int first;                  ///< element of its first particle
+  int columns;                ///< grids: elements from row to row
   T stiffness[12], rest[12];  ///< grids: by stencil neighbour; others: [0] when uniform
   T drag;                     ///< N s/m
   T spring_damping;           ///< N s/m

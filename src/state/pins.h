@@ -1,7 +1,7 @@
 // Moving pins, stored for the blocks that have any: 32 lanes a block, like the particles.
 //
-// Target at the end of a substep: base + fraction * glide + offset of the motion. Pins that never move
-// are particles of inverse mass 0 and appear nowhere here.
+// Target at the end of a substep: base + fraction * glide + offset of the motion. Pins that never
+// move are particles of inverse mass 0 and appear nowhere here.
 #pragma once
 
 #include "base/view.h"
@@ -10,9 +10,10 @@ namespace weft {
 
 template <class T>
 struct MovingPins {
-  Vec3Array<T> base;      ///< position without its motion at the start of the frame
-  Vec3Array<T> glide;     ///< distance that a moved pin travels in this frame
-  const int32_t* motion;  ///< index into the motions' offsets; 0 is "no motion"; -1: not a moving pin
+  Vec3Array<T> base;   ///< position without its motion at the start of the frame
+  Vec3Array<T> glide;  ///< distance that a moved pin travels in this frame
+  const int32_t*
+      motion;  ///< index into the motions' offsets; 0 is "no motion"; -1: not a moving pin
   const Vec3<T>* offset;  ///< [substep][motion]: where each motion is at the end of the substep
   int motions;
 };

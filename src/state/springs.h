@@ -1,8 +1,8 @@
 // Springs of meshes and networks: sliced rows (SELL-32).
 //
-// The block of 32 particles is the slice. Entry (k, lane) of a slice stands at start + k*32 + lane and
-// is the lane's k-th neighbour in ascending caller index, so sums do not depend on storage order.
-// Short rows are filled with the particle itself, which pulls nothing.
+// The block of 32 particles is the slice. Entry (k, lane) of a slice stands at start + k*32 + lane
+// and is the lane's k-th neighbour in ascending caller index, so sums do not depend on storage
+// order. Short rows are filled with the particle itself, which pulls nothing.
 #pragma once
 
 #include "base/portability.h"

@@ -8,11 +8,11 @@
 namespace weft {
 
 struct BackendInfo {
-  const char* name;       ///< "omp", "cuda", "hip"
-  const char* device;     ///< name of the processor or GPU
-  const char* isa;        ///< level of the host kernels; "-" on a GPU
-  int particle_step;      ///< memory layout of vectors: base/portability.h
-  bool host_memory;       ///< device memory can be read and written by the host
+  const char* name;    ///< "omp", "cuda", "hip"
+  const char* device;  ///< name of the processor or GPU
+  const char* isa;     ///< level of the host kernels; "-" on a GPU
+  int particle_step;   ///< memory layout of vectors: base/portability.h
+  bool host_memory;    ///< device memory can be read and written by the host
 };
 
 /// One compiled copy of the kernels with the device it runs on. Stateless: may be used from several
@@ -42,7 +42,8 @@ class Backend {
   virtual Status count_not_finite(const Frame<double>&, int32_t* scratch,
                                   int32_t& count) const noexcept = 0;
 
-  /// Sum over the fixed tree of step/reduce.h, of device memory into scratch[...]; the sum comes back.
+  /// Sum over the fixed tree of step/reduce.h, of device memory into scratch[...]; the sum comes
+  /// back.
   virtual Status sum(const float* device, int count, float* scratch, int threads,
                      float& total) const noexcept = 0;
   virtual Status sum(const double* device, int count, double* scratch, int threads,

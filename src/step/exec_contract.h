@@ -1,16 +1,18 @@
 // What an executor offers to step/pipeline.h. omp/exec.h and cuda/exec.cuh keep to it.
 //
 //   Exec exec;
-//   exec.frame(body)                     runs body(team) with everything inside enqueued together: one
-//                                        parallel region on the CPU, whose threads all run the body;
-//                                        one stream on the GPU, where the host runs it once
-//   team.for_each_block(count, kernel)   kernel(block, lane, lanes) for every block below count; the
+//   exec.frame(body)                     runs body(team) with everything inside enqueued together:
+//   one
+//                                        parallel region on the CPU, whose threads all run the
+//                                        body; one stream on the GPU, where the host runs it once
+//   team.for_each_block(count, kernel)   kernel(block, lane, lanes) for every block below count;
+//   the
 //                                        kernel is a trivially copyable functor; returns before the
 //                                        other threads are done
 //   team.meet()                          everything before is visible to everything after
 //
-// Built on these: reduce (step/reduce.h), a fixed tree whose bits no thread count changes. Outside a
-// frame: exclusive_scan and stable_sort_by_key (step/backend.h), each in a translation unit apart
+// Built on these: reduce (step/reduce.h), a fixed tree whose bits no thread count changes. Outside
+// a frame: exclusive_scan and stable_sort_by_key (step/backend.h), each in a translation unit apart
 // from the kernels.
 #pragma once
 

@@ -11,13 +11,18 @@ namespace WEFT_BACKEND_NS {
 template <class T, class Launch>
 void with_springs(KernelKind kind, const Simulation<T>& sim, Launch launch) {
   switch (kind) {
-    case KernelKind::seed12: return launch(GridSprings<T, Seed12>{sim.presence, sim.block.inner});
+    case KernelKind::seed12:
+      return launch(GridSprings<T, Seed12>{sim.presence, sim.block.inner});
     case KernelKind::classic12:
       return launch(GridSprings<T, Classic12>{sim.presence, sim.block.inner});
-    case KernelKind::quad4: return launch(GridSprings<T, Quad4>{sim.presence, sim.block.inner});
-    case KernelKind::tri6: return launch(GridSprings<T, Tri6>{sim.presence, sim.block.inner});
-    case KernelKind::mesh_uniform: return launch(MeshSprings<T, false>{sim.rows});
-    case KernelKind::mesh_per_spring: return launch(MeshSprings<T, true>{sim.rows});
+    case KernelKind::quad4:
+      return launch(GridSprings<T, Quad4>{sim.presence, sim.block.inner});
+    case KernelKind::tri6:
+      return launch(GridSprings<T, Tri6>{sim.presence, sim.block.inner});
+    case KernelKind::mesh_uniform:
+      return launch(MeshSprings<T, false>{sim.rows});
+    case KernelKind::mesh_per_spring:
+      return launch(MeshSprings<T, true>{sim.rows});
   }
 }
 

@@ -1,5 +1,5 @@
-// Every back end that can run here: the host's at each level of this processor, the host's with another
-// memory layout, and a GPU.
+// Every back end that can run here: the host's at each level of this processor, the host's with
+// another memory layout, and a GPU.
 #pragma once
 
 #include <string>

@@ -24,7 +24,8 @@ T tree_sum(std::vector<T> values) {
     std::vector<T> leaves;
     for (size_t first = 0; first < std::max<size_t>(values.size(), 1); first += 1024) {
       T lane[32] = {};
-      for (size_t i = first; i < std::min(first + 1024, values.size()); ++i) lane[(i - first) % 32] += values[i];
+      for (size_t i = first; i < std::min(first + 1024, values.size()); ++i)
+        lane[(i - first) % 32] += values[i];
       for (int half : {16, 8, 4, 2, 1}) {
         for (int l = 0; l < half; ++l) lane[l] += lane[l + half];
       }
@@ -70,7 +71,8 @@ class Contract : public ::testing::TestWithParam<NamedBackend> {
     uint64_t seed = 7;
     for (const int count : {0, 1, 31, 32, 33, 1023, 1024, 1025, 99999, 1 << 21}) {
       std::vector<T> values;
-      for (int i = 0; i < count; ++i) values.push_back(T(double(splitmix(seed) >> 11) * 0x1p-53 - 0.3));
+      for (int i = 0; i < count; ++i)
+        values.push_back(T(double(splitmix(seed) >> 11) * 0x1p-53 - 0.3));
       const DeviceArray<T> device(backend(), values);
       const DeviceArray<T> scratch(backend(), std::vector<T>(reduce_scratch(size_t(count))));
       const T expected = tree_sum(values);
@@ -111,7 +113,8 @@ TEST_P(Contract, SortKeepsTheOrderOfEqualKeys) {
   for (size_t i = 0; i < count; ++i) keys.push_back(uint32_t(splitmix(seed) % 500));
   std::iota(values.begin(), values.end(), 0u);
   order = values;
-  std::stable_sort(order.begin(), order.end(), [&](uint32_t a, uint32_t b) { return keys[a] < keys[b]; });
+  std::stable_sort(order.begin(), order.end(),
+                   [&](uint32_t a, uint32_t b) { return keys[a] < keys[b]; });
   const DeviceArray<uint32_t> k(backend(), keys), v(backend(), values);
   ASSERT_EQ(backend().stable_sort_by_key(k.data(), v.data(), int(count)), Status::ok);
   EXPECT_EQ(v.read(count), order);

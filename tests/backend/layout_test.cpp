@@ -1,4 +1,5 @@
-// One scene on every back end and memory layout: grid, mesh, network, damping, moving pins, colliders.
+// One scene on every back end and memory layout: grid, mesh, network, damping, moving pins,
+// colliders.
 #include <gtest/gtest.h>
 
 #include "api/context_state.h"

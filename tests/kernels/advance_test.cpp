@@ -19,7 +19,8 @@ struct TwoBlocks {
   TwoBlocks() {
     for (int k = 0; k < 4; ++k) arrays[k].assign(3 * pitch, 0.0f);
     for (int i = 0; i < particles; ++i) {
-      set(0, i, {0.1f * float(i % 8), 0.1f * float(i / 8) + 0.003f * float(i % 5), 0.01f * float(i % 3)});
+      set(0, i,
+          {0.1f * float(i % 8), 0.1f * float(i / 8) + 0.003f * float(i % 5), 0.01f * float(i % 3)});
       set(1, i, {0.001f, -0.002f, 0.0005f * float(i % 7)});
       w.push_back(i == 3 || i == 40 ? 0.0f : 10.0f + float(i % 4));
       uint16_t bits = 0;

@@ -19,8 +19,8 @@ TEST(Integrate, NullDragChangesNoBit) {
   const auto step = step_of(0.01, 0.013);
   const Vec3<double> d{0.1234, -0.05, 3e-5}, a{1.7, -9.81, 0.003};
   const auto none = next_displacement(d, a, step);
-  for (const auto& with : {next_displacement_lagged(d, a, 0.0, step),
-                           next_displacement_central(d, a, 0.0, step)}) {
+  for (const auto& with :
+       {next_displacement_lagged(d, a, 0.0, step), next_displacement_central(d, a, 0.0, step)}) {
     EXPECT_EQ(with.x, none.x);
     EXPECT_EQ(with.y, none.y);
     EXPECT_EQ(with.z, none.z);

@@ -27,7 +27,8 @@ CookedFabric shuffled_network(uint32_t vertices) {
   std::vector<Spring> springs;
   for (uint32_t i = 0; i < vertices; ++i) {
     const auto valence = static_cast<uint32_t>(1 + splitmix(seed) % 6);
-    for (uint32_t k = 1; k <= valence && i + k < vertices; ++k) springs.push_back({name[i], name[i + k]});
+    for (uint32_t k = 1; k <= valence && i + k < vertices; ++k)
+      springs.push_back({name[i], name[i + k]});
   }
   NetworkDesc desc;
   desc.positions = View<double3>(positions);
@@ -47,7 +48,8 @@ TEST(Order, RowsAreSymmetricAndAscendInCallerIndex) {
     EXPECT_EQ(std::adjacent_find(begin, end), end);
     for (auto n = begin; n != end; ++n) {
       const auto first = f.rows.neighbour.begin() + static_cast<std::ptrdiff_t>(f.rows.start[*n]);
-      const auto last = f.rows.neighbour.begin() + static_cast<std::ptrdiff_t>(f.rows.start[*n + 1]);
+      const auto last =
+          f.rows.neighbour.begin() + static_cast<std::ptrdiff_t>(f.rows.start[*n + 1]);
       EXPECT_TRUE(std::binary_search(first, last, v));
     }
   }

@@ -1,5 +1,5 @@
-// The host's stencil tables and the kernels' must be the same: presence bit k, stiffness k and offset
-// k belong together.
+// The host's stencil tables and the kernels' must be the same: presence bit k, stiffness k and
+// offset k belong together.
 #include "kernels/stencil.h"
 
 #include <algorithm>

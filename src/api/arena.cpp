@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "api/arena_fill.h"
+#include "api/frame_inputs.h"
 #include "scene/grid.h"
 
 namespace weft::api {
@@ -40,7 +41,8 @@ namespace {
 template <class T>
 class ArenaOf final : public Arena {
  public:
-  explicit ArenaOf(ContextState& context) : context_(context), backend_(*context.backend) {}
+  explicit ArenaOf(ContextState& context)
+      : context_(context), backend_(*context.backend), inputs_(backend_) {}
   ~ArenaOf() override { release(); }
 
   Status build(const ArenaInput& in, double dt_before, double time, int threads) override {
@@ -60,16 +62,11 @@ class ArenaOf final : public Arena {
       std::memset(memory_, 0, layout_.bytes);
     }
     fill_image<T>(in, layout_, step(), dt_before, time, image);
-    place_pins(in, image);
+    inputs_.prepare(in, layout_, image);
     if (!mirror.empty()) status = backend_.to_device(memory_, image, layout_.bytes);
     if (status != Status::ok) return status;
 
     params_.resize(in.cloths.size());
-    spheres_.resize(in.cloths.size() * in.shape.spheres);
-    planes_.resize(in.cloths.size() * in.shape.planes);
-    offsets_.resize(
-        layout_.pin_offset == plan::absent ? 0 : size_t(in.shape.motions) * in.shape.substeps);
-    start_threads_ = threads;
     status = upload_params(in);
     if (status != Status::ok || in.world->start == Start::lagged) return status;
     const bool any =
@@ -82,8 +79,7 @@ class ArenaOf final : public Arena {
   }
 
   Status frame(const ArenaInput& in, const FrameInput& input) override {
-    Status status = upload_colliders(in, input.time);
-    if (status == Status::ok) status = upload_pins(in, input);
+    Status status = inputs_.upload(in, input, layout_, memory_);
     if (status != Status::ok) return status;
     Frame<T> frame = make_frame(in, input);
     status = backend_.frame(frame);
@@ -198,126 +194,6 @@ class ArenaOf final : public Arena {
                               params_.size() * sizeof(ClothParams<T>));
   }
 
-  /// Colliders at the start of the frame, in each cloth's own frame.
-  Status upload_colliders(const ArenaInput& in, double time) {
-    size_t s = 0, p = 0;
-    for (const ClothRecord* cloth : in.cloths) {
-      for (const ColliderRecord& c : *in.colliders) {
-        const double age = time - c.since;
-        if (!c.id) continue;
-        if (c.is_sphere) {
-          const double3 center = minus(plus(c.point, times(age, c.velocity)), cloth->origin);
-          spheres_[s++] = {narrow<T>(center), narrow<T>(c.velocity), static_cast<T>(c.size)};
-        } else {
-          const auto along = [&](const double3& v) {
-            return c.point.x * v.x + c.point.y * v.y + c.point.z * v.z;
-          };
-          const double speed = along(c.velocity);
-          planes_[p++] = {narrow<T>(c.point),
-                          static_cast<T>(c.size + speed * age - along(cloth->origin)),
-                          static_cast<T>(speed)};
-        }
-      }
-    }
-    Status status = Status::ok;
-    if (s > 0) {
-      status =
-          backend_.to_device(at<char>(layout_.spheres), spheres_.data(), s * sizeof(Sphere<T>));
-    }
-    if (status == Status::ok && p > 0) {
-      status = backend_.to_device(at<char>(layout_.planes), planes_.data(), p * sizeof(Plane<T>));
-    }
-    return status;
-  }
-
-  struct PinSlot {
-    const ClothRecord* cloth;
-    size_t pin;
-    int64_t slot;
-  };
-
-  /// Gives a slot to every pin that can move, block by block, and names the blocks in the image.
-  void place_pins(const ArenaInput& in, char* image) {
-    pin_slots_.clear();
-    if (layout_.block_pins == plan::absent) return;
-    auto* of_block = reinterpret_cast<int32_t*>(image + layout_.block_pins);
-    std::fill_n(of_block, in.shape.blocks(), -1);
-    int next = 0;
-    for (const ClothRecord* cloth : in.cloths) {
-      for (size_t p = 0; p < cloth->pins.size(); ++p) {
-        if (!cloth->pins[p].can_move) continue;
-        const int i =
-            cloth->first + static_cast<int>(cloth->cooked().storage(cloth->pins[p].vertex));
-        int32_t& slot_block = of_block[i / block_size];
-        if (slot_block < 0) slot_block = next++;
-        pin_slots_.push_back({cloth, p, int64_t(slot_block) * block_size + i % block_size});
-      }
-    }
-    const size_t slots = size_t(next) * block_size;
-    pin_motion_.assign(slots, -1);
-    pin_base_.assign(3 * slots, T(0));
-    pin_glide_.assign(3 * slots, T(0));
-    pin_elements_ = slots;
-  }
-
-  /// Targets of the moving pins for one frame.
-  Status upload_pins(const ArenaInput& in, const FrameInput& input) {
-    if (pin_slots_.empty()) return Status::ok;
-    for (const PinSlot& s : pin_slots_) {
-      const PinRecord& pin = s.cloth->pins[s.pin];
-      const double3 base = minus(pin.base, s.cloth->origin);
-      set_slot(pin_base_, s.slot, base);
-      set_slot(pin_glide_, s.slot, pin.gliding ? minus(pin.target, pin.base) : double3{0, 0, 0});
-      pin_motion_[size_t(s.slot)] = pin.motion < 0 ? 0 : s.cloth->motion_first + pin.motion;
-    }
-    for (int k = 0; k < input.substeps; ++k) {
-      Vec3<T>* row = offsets_.data() + size_t(k) * in.shape.motions;
-      row[0] = {T(0), T(0), T(0)};
-      const double time = input.time + (k + 1) * input.dt;
-      for (const ClothRecord* cloth : in.cloths) {
-        for (size_t m = 0; m < cloth->motions.size(); ++m) {
-          row[size_t(cloth->motion_first) + m] = narrow<T>(motion_offset(cloth->motions[m], time));
-        }
-      }
-    }
-    Status status = to_vectors(sim_.pins.base, pin_base_);
-    if (status == Status::ok) status = to_vectors(sim_.pins.glide, pin_glide_);
-    if (status == Status::ok) {
-      status = backend_.to_device(at<char>(layout_.pin_motion), pin_motion_.data(),
-                                  pin_motion_.size() * sizeof(int32_t));
-    }
-    if (status == Status::ok) {
-      status = backend_.to_device(at<char>(layout_.pin_offset), offsets_.data(),
-                                  size_t(input.substeps) * in.shape.motions * sizeof(Vec3<T>));
-    }
-    return status;
-  }
-
-  void set_slot(std::vector<T>& planar, int64_t slot, const double3& v) {
-    planar[size_t(slot)] = static_cast<T>(v.x);
-    planar[size_t(slot) + pin_elements_] = static_cast<T>(v.y);
-    planar[size_t(slot) + 2 * pin_elements_] = static_cast<T>(v.z);
-  }
-
-  /// Copies planar host values to an array of vectors in the back end's layout.
-  Status to_vectors(const Vec3Array<T>& to, const std::vector<T>& planar) {
-    const size_t n = planar.size() / 3;
-    for (size_t c = 0; c < 3; ++c) {
-      if (step() == 1) {
-        const Status status =
-            backend_.to_device(to.data + c * to.pitch, planar.data() + c * n, n * sizeof(T));
-        if (status != Status::ok) return status;
-        continue;
-      }
-      for (size_t i = 0; i < n; ++i) {
-        const Status status = backend_.to_device(to.data + i * size_t(step()) + c * to.pitch,
-                                                 &planar[c * n + i], sizeof(T));
-        if (status != Status::ok) return status;
-      }
-    }
-    return Status::ok;
-  }
-
   /// Reads elements [first, first + count) of an array of vectors.
   Status fetch(const Vec3Array<T>& from, int first, size_t count, std::vector<Vec3<T>>& out) {
     out.resize(count);
@@ -342,18 +218,9 @@ class ArenaOf final : public Arena {
   Simulation<T> sim_{};
   Vec3<T> gravity_{};
   bool position_form_ = false;
-  int start_threads_ = 1;
 
-  // Staging of what changes every frame; sized when the arena is built, so that a step allocates
-  // nothing.
   std::vector<ClothParams<T>> params_;
-  std::vector<Sphere<T>> spheres_;
-  std::vector<Plane<T>> planes_;
-  std::vector<PinSlot> pin_slots_;
-  std::vector<int32_t> pin_motion_;
-  std::vector<T> pin_base_, pin_glide_;
-  std::vector<Vec3<T>> offsets_;
-  size_t pin_elements_ = 0;
+  FrameInputs<T> inputs_;
 };
 
 }  // namespace

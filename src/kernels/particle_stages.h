@@ -69,8 +69,11 @@ struct ParticleStages {
   }
 
  private:
-  /// 1 for a free particle, 0 for a pinned one.
-  WEFT_HD static T is_free(T w) { return w > T(0) ? T(1) : T(0); }
+  /// `v` for a free particle, 0 for a pinned one: selected, not multiplied, since a pin stays where
+  /// it is even when its neighbours' positions are no longer finite.
+  WEFT_HD static Vec3<T> if_free(T w, Vec3<T> v) {
+    return select(w > T(0), v, Vec3<T>{T(0), T(0), T(0)});
+  }
 
   /// Runs `next(i, d, a, w)` for every lane: last displacement, acceleration, inverse mass.
   template <bool Position, int N, class Next>
@@ -78,7 +81,7 @@ struct ParticleStages {
                                  Next next) const {
     lanes.each([&](int l) WEFT_LANE {
       const T w = sim.inverse_mass[i0 + l];
-      const Vec3<T> a = w * force.get(l) + is_free(w) * step.gravity;
+      const Vec3<T> a = if_free(w, w * force.get(l) + step.gravity);
       next(i0 + l, displacement<Position>(p, i0 + l), a, w);
     });
   }
@@ -86,7 +89,7 @@ struct ParticleStages {
   /// x' = x + d', and in the summed form d' is kept. A pinned particle has no displacement left.
   template <bool Position>
   WEFT_HD void move(int i, Vec3<T> d, T w) const {
-    const Vec3<T> moved = is_free(w) * d;
+    const Vec3<T> moved = if_free(w, d);
     store(p.x_out, i, load(p.x_in, i) + moved);
     if constexpr (!Position) store(p.d_out, i, moved);
   }
@@ -131,7 +134,7 @@ struct ParticleStages {
       const int i = i0 + l;
       const T w = sim.inverse_mass[i];
       const Vec3<T> x = load(p.x_in, i);
-      const Vec3<T> a = w * force.get(l) + is_free(w) * step.gravity;
+      const Vec3<T> a = if_free(w, w * force.get(l) + step.gravity);
       store(p.x_out, i, select(w > T(0), next_position(x, load(p.d_in, i), a, step), x));
     });
   }
@@ -162,12 +165,12 @@ struct ParticleStages {
     if (step.position_form) {
       lanes.each([&](int l) WEFT_LANE {
         const Vec3<T> x = load(p.x_out, i0 + l);
-        store(p.x_out, i0 + l, x + is_free(sim.inverse_mass[i0 + l]) * out(x));
+        store(p.x_out, i0 + l, x + if_free(sim.inverse_mass[i0 + l], out(x)));
       });
     } else {
       lanes.each([&](int l) WEFT_LANE {
         const Vec3<T> x = load(p.x_out, i0 + l);
-        const Vec3<T> correction = is_free(sim.inverse_mass[i0 + l]) * out(x);
+        const Vec3<T> correction = if_free(sim.inverse_mass[i0 + l], out(x));
         store(p.x_out, i0 + l, x + correction);
         store(p.d_out, i0 + l, load(p.d_out, i0 + l) + correction);
       });

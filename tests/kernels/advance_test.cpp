@@ -2,6 +2,7 @@
 // (a warp's way) must give the same bits.
 #include "kernels/advance.h"
 
+#include <cmath>
 #include <cstring>
 #include <vector>
 
@@ -91,6 +92,17 @@ TEST(Advance, APinDoesNotMoveAndKeepsNoDisplacement) {
     EXPECT_EQ(std::memcmp(&before, &after, sizeof before), 0);
     EXPECT_EQ(load(grid.view(3), pin).y, 0);
   }
+}
+
+TEST(Advance, APinStaysWhereItIsWhenItsNeighboursAreNotFinite) {
+  TwoBlocks grid;
+  grid.set(0, 4, {INFINITY, 0, 0});
+  grid.set(1, 3, {NAN, NAN, NAN});
+  const auto before = load(grid.view(0), 3);
+  const auto kernel = grid.kernel();
+  for (int b = 0; b < 2; ++b) kernel(b, 0, Lanes<32>{});
+  const auto after = load(grid.view(2), 3);
+  EXPECT_EQ(std::memcmp(&before, &after, sizeof before), 0);
 }
 
 TEST(Advance, FreeParticlesEndOutsideTheColliders) {

@@ -4,10 +4,17 @@
 
 namespace weft::bench {
 
+/// What the project's figures are judged by, in one command.
+static std::vector<Row> run_grid_and_mesh(bool quick, std::ostream& progress) {
+  std::vector<Row> rows = run_grid(quick, progress);
+  for (Row& row : run_mesh(quick, progress)) rows.push_back(std::move(row));
+  return rows;
+}
+
 const std::vector<Table>& tables() {
   static const std::vector<Table> all = {
-      {"grid", "the chapter's loop (Listing 22.1) against weft, threads, precisions, sizes",
-       run_grid},
+      {"grid", "the chapter's loop (Listing 22.1) against weft; threads, precisions, sizes, meshes",
+       run_grid_and_mesh},
       {"mesh", "gather over meshes per directed spring, against the grid's", run_mesh},
   };
   return all;

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Builds weft and runs its tests, in every way this machine can.
-# usage: scripts/test.sh [--quick]
+# usage: scripts/test.sh [--quick | STAGE...]
 #   --quick  only the release build and all of its tests
+#   STAGE    only these, for example: scripts/test.sh asan tsan
 # Stages: setup, release, cuda (needs nvcc), clang (needs clang++), debug, asan, tsan (needs
 # clang++). A stage that fails does not stop the next one; the script fails if any of them did.
 # shellcheck disable=SC2317  # the stages are called by name
@@ -35,6 +36,10 @@ run_tests() {  # PRESET [ctest options]
 # The bits of a run do not depend on compiler, optimisation or device.
 same_bits() {  # PRESET TOOL_OPTIONS...
   local scene name want got
+  if [[ ! -x build/release/tools/weft ]]; then
+    configure release
+    compile release weft_cli
+  fi
   for scene in samples/scenes/*.json; do
     name=$(basename "$scene" .json)
     want=$(state_hash release "$scene" --backend omp)
@@ -53,6 +58,10 @@ state_hash() {  # PRESET [TOOL_OPTIONS...] SCENE [...]: after half a second
   "build/$1/tools/weft" run --time 0.5 --report "$report" "${@:2}" >/dev/null
   python3 -c 'import json, sys; print(json.load(open(sys.argv[1]))["state_hash"])' "$report"
   rm -f "$report"
+}
+
+setup() {
+  scripts/setup.sh "${setup_options[@]}"
 }
 
 release() {
@@ -109,19 +118,25 @@ tsan() {
   run_tests tsan -L '^(determinism|race)$' -LE long
 }
 
+setup_options=(--all)
+all=(setup release cuda clang debug asan tsan)
 case "${1:-}" in
-  "") setup_options=(--all) ;;
-  --quick) setup_options=() ;;
-  *) echo "usage: scripts/test.sh [--quick]" >&2; exit 2 ;;
+  "") wanted=("${all[@]}") ;;
+  --quick) wanted=(setup release) setup_options=() ;;
+  *) wanted=("$@") ;;
 esac
+for name in "${wanted[@]}"; do
+  if [[ " ${all[*]} " != *" $name "* ]]; then
+    echo "test: $name is not a stage; usage: scripts/test.sh [--quick | STAGE...] of ${all[*]}" >&2
+    exit 2
+  fi
+done
 
-stage setup scripts/setup.sh "${setup_options[@]}"
-stage release release
-if [[ "${1:-}" != --quick ]]; then
-  stage_if have_nvcc "nvcc is missing" cuda cuda
-  stage_if "have clang++" "clang++ is missing" clang clang
-  stage debug debug
-  stage asan asan
-  stage_if "have clang++" "clang++ is missing" tsan tsan
-fi
+for name in "${wanted[@]}"; do
+  case $name in
+    cuda) stage_if have_nvcc "nvcc is missing" cuda cuda ;;
+    clang | tsan) stage_if "have clang++" "clang++ is missing" "$name" "$name" ;;
+    *) stage "$name" "$name" ;;
+  esac
+done
 finish

@@ -196,6 +196,7 @@ void fill_record(const ClothDesc& desc, ClothRecord& cloth) {
   set_start(desc, vertices, cloth);
   scene::check_not_negative(desc.drag, "drag");
   scene::check_not_negative(desc.spring_damping, "spring_damping");
+  scene::check_choice(int(desc.drag_model), 2, "drag_model", "central, lagged");
   cloth.drag = desc.drag;
   cloth.drag_model = desc.drag_model;
   cloth.spring_damping = desc.spring_damping;

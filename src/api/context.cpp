@@ -2,6 +2,7 @@
 
 #include "api/context_state.h"
 #include "api/world_state.h"
+#include "scene/check.h"
 
 namespace weft {
 inline namespace v0 {
@@ -34,6 +35,8 @@ Result<Context> Context::create(const ContextDesc& desc, uint32_t abi) noexcept 
           "allocator has one function of two (memory could not be given back) give both or "
           "neither");
     }
+    scene::check_choice(int(desc.backend), 4, "backend", "automatic, omp, cuda, hip");
+    scene::check_choice(int(desc.isa), 4, "isa", "automatic, v2, v3, v4");
     if (desc.threads > 1024) {
       return refuse(Status::invalid_argument,
                     text("threads is %u (at most 1024) give a smaller number", desc.threads));
@@ -47,6 +50,8 @@ Result<Context> Context::create(const ContextDesc& desc, uint32_t abi) noexcept 
         desc.threads > 0 ? desc.threads : std::max(1u, std::thread::hardware_concurrency());
     if (!choice.fallback.empty()) state->say(Severity::info, choice.fallback);
     return Context(new Impl{std::move(state)});
+  } catch (const InvalidInput& problem) {
+    return refuse(Status::invalid_argument, problem.what());
   } catch (const std::bad_alloc&) {
     return refuse(Status::out_of_memory, "out of memory (a context could not be made) free some");
   }

@@ -12,6 +12,9 @@ void check_world(const WorldDesc& desc) {
   scene::check_finite(desc.gravity.x, "gravity.x");
   scene::check_finite(desc.gravity.y, "gravity.y");
   scene::check_finite(desc.gravity.z, "gravity.z");
+  scene::check_choice(int(desc.precision), 2, "precision", "float32, float64");
+  scene::check_choice(int(desc.form), 2, "form", "summed, position");
+  scene::check_choice(int(desc.start), 2, "start", "taylor, lagged");
   if (!(desc.safety > 0) || desc.safety > 1) {
     throw InvalidInput(
         text("safety is %g (a step is safe at a fraction of the bound) give a value in "
@@ -30,7 +33,7 @@ static double3 checked_vector(const double3& v, const char* field) {
 static void check_frictionless(double friction) {
   scene::check_not_negative(friction, "friction");
   if (friction > 0) {
-    throw InvalidInput(
+    throw NotAvailable(
         text("friction is %g (colliders with friction are not available in this "
              "version) give 0",
              friction));

@@ -25,6 +25,11 @@ void check_positive(double value, const char* field) {
     throw InvalidInput(text("%s is %g (it must be positive) give a value > 0", field, value));
   }
 }
+void check_choice(int value, int count, const char* field, const char* names) {
+  if (value < 0 || value >= count) {
+    throw InvalidInput(text("%s is %d (it is none of %s) give one of them", field, value, names));
+  }
+}
 void check_view(const void* data, uint64_t count, const char* field) {
   if (count > 0 && data == nullptr) {
     throw InvalidInput(
@@ -40,6 +45,7 @@ void check_material(const Material& m, uint32_t vertices) {
   check_not_negative(m.stiffness.bend, "stiffness.bend");
   if (m.rest_length != initial_rest_length) check_not_negative(m.rest_length, "rest_length");
   check_positive(m.scale, "scale");
+  check_choice(int(m.mass.kind), 3, "mass.kind", "total, density, per_vertex");
   if (m.mass.kind != Mass::Kind::per_vertex) return check_positive(m.mass.value, "mass");
   check_view(m.mass.values.data, m.mass.values.count, "mass.values");
   if (m.mass.values.count != vertices) {

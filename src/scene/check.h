@@ -11,6 +11,8 @@ constexpr double largest_coordinate = 1e9;
 void check_finite(double value, const char* field);
 void check_not_negative(double value, const char* field);
 void check_positive(double value, const char* field);
+/// An enumerator must be one of the first `count`; `names` lists them.
+void check_choice(int value, int count, const char* field, const char* names);
 /// A view that has a count must have data.
 void check_view(const void* data, uint64_t count, const char* field);
 void check_material(const Material&, uint32_t vertices);

@@ -12,7 +12,7 @@ namespace WEFT_BACKEND_NS {
 struct HostDevice {
   static const BackendInfo& info() {
     // "omp_v4": the level begins behind the underscore.
-    static const BackendInfo info{"omp", "host processor", WEFT_BACKEND_NAME + 4,
+    static const BackendInfo info{"omp", "host processor", &WEFT_BACKEND_NAME[4],
                                   WEFT_PARTICLE_STEP, true};
     return info;
   }

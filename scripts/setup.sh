@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Installs what weft needs to be built and tested on Debian 12 or a relative of it.
 # usage: scripts/setup.sh [--all]
-#   --all  also clang with its OpenMP runtime, the second compiler of scripts/test.sh
+#   --all  also clang with its OpenMP and sanitizer runtimes, for the other stages of test.sh
 # Says what it installs, and does nothing (in a fraction of a second) when nothing is missing.
 set -euo pipefail
 
@@ -68,7 +68,7 @@ need_command nm binutils
 need_package libgtest-dev libeigen3-dev nlohmann-json3-dev libcli11-dev assimp-testmodels
 have_thrust || need_package libthrust-dev libcub-dev
 if [[ "${1:-}" == --all ]]; then
-  for package in clang libomp-dev llvm; do
+  for package in clang libclang-rt-14-dev libomp-dev llvm; do
     is_installed "$package" || extras+=("$package")
   done
 fi

@@ -3,8 +3,8 @@
 # usage: scripts/test.sh [--quick | STAGE...]
 #   --quick  only the release build and all of its tests
 #   STAGE    only these, for example: scripts/test.sh asan tsan
-# Stages: setup, release, cuda (needs nvcc), clang (needs clang++), debug, asan, tsan (needs
-# clang++). A stage that fails does not stop the next one; the script fails if any of them did.
+# Stages: setup, release, cuda (needs nvcc), debug, and clang, asan and tsan (need clang++). A stage
+# that fails does not stop the next one; the script fails if any of them did.
 # shellcheck disable=SC2317  # the stages are called by name
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -135,7 +135,7 @@ done
 for name in "${wanted[@]}"; do
   case $name in
     cuda) stage_if have_nvcc "nvcc is missing" cuda cuda ;;
-    clang | tsan) stage_if "have clang++" "clang++ is missing" "$name" "$name" ;;
+    clang | asan | tsan) stage_if "have clang++" "clang++ is missing" "$name" "$name" ;;
     *) stage "$name" "$name" ;;
   esac
 done

@@ -1,4 +1,5 @@
-// Access to device memory from the host. Here the two are one.
+// Access to device memory from the host. Here the two are one. Nothing to copy may come with null
+// pointers, which memcpy must not see.
 #pragma once
 
 #include <string.h>
@@ -9,15 +10,15 @@ namespace weft {
 namespace WEFT_BACKEND_NS {
 
 inline Status copy_to_device(void* device, const void* host, size_t bytes) {
-  memcpy(device, host, bytes);
+  if (bytes > 0) memcpy(device, host, bytes);
   return Status::ok;
 }
 inline Status copy_to_host(void* host, const void* device, size_t bytes) {
-  memcpy(host, device, bytes);
+  if (bytes > 0) memcpy(host, device, bytes);
   return Status::ok;
 }
 inline Status zero_device(void* device, size_t bytes) {
-  memset(device, 0, bytes);
+  if (bytes > 0) memset(device, 0, bytes);
   return Status::ok;
 }
 

@@ -18,7 +18,10 @@
 
 #include <type_traits>
 
+#include "base/portability.h"
+
 namespace weft {
+namespace WEFT_BACKEND_NS {
 
 template <class Kernel>
 constexpr void check_kernel() {
@@ -27,4 +30,5 @@ constexpr void check_kernel() {
   static_assert(sizeof(Kernel) <= 4000, "a kernel's arguments must fit a launch (4 kB)");
 }
 
+}  // namespace WEFT_BACKEND_NS
 }  // namespace weft

@@ -20,7 +20,8 @@ inline Json grid_cloth() {
 }
 inline Json network_cloth() {
   return Json::parse(R"({ "name": "net", "mass": 1, "stiffness": 100,
-    "network": { "positions": [[0,0,0],[1,0,0],[1,1,0]], "springs": [[0,1],[1,2,50],[0,2,50,1.5]] } })");
+    "network": { "positions": [[0,0,0],[1,0,0],[1,1,0]],
+                 "springs": [[0,1],[1,2,50],[0,2,50,1.5]] } })");
 }
 inline Json scene_of(const Json& cloth) { return {{"weft", 1}, {"cloths", Json::array({cloth})}}; }
 inline Scene read_json(const Json& json) { return read_scene_text(json.dump(), "s.json"); }

@@ -75,19 +75,49 @@ struct ClothDesc {
   uint64_t user_data = 0;
 };
 
-/// Outside of the sphere is free. A particle at the very centre leaves along +y.
+// Colliders. A free particle inside goes to the surface along the normal; its velocity loses what
+// it came in with. `friction` is the coefficient of two-sided Coulomb friction: inside the cone a
+// particle sticks to the surface without creep, on it it slides. `velocity` (m/s) moves the
+// collider and what sticks to it. In the position form velocities follow from positions alone, so a
+// particle that was deep inside leaves with speed.
+
+/// A particle at the very centre leaves along +y.
 struct SphereDesc {
   double3 center{0, 0, 0};
   double radius = 1;  ///< m, > 0
   double3 velocity{0, 0, 0};
-  double friction = 0;  ///< only 0 in this version
+  double friction = 0;  ///< >= 0
 };
 /// dot(normal, x) < offset is inside.
 struct PlaneDesc {
   double3 normal{0, 1, 0};  ///< normalised by weft; not zero
   double offset = 0;        ///< m, along the normalised normal
   double3 velocity{0, 0, 0};
-  double friction = 0;  ///< only 0 in this version
+  double friction = 0;
+};
+/// All points nearer than `radius` to the segment from a to b, which may be one point.
+struct CapsuleDesc {
+  double3 a{0, 0, 0}, b{0, 1, 0};
+  double radius = 1;  ///< m, > 0
+  double3 velocity{0, 0, 0};
+  double friction = 0;
+};
+/// With flat caps at a and b, which must differ. A particle leaves through the nearest of the side
+/// and the caps.
+struct CylinderDesc {
+  double3 a{0, 0, 0}, b{0, 1, 0};
+  double radius = 1;  ///< m, > 0
+  double3 velocity{0, 0, 0};
+  double friction = 0;
+};
+/// Turned about its centre by `degrees` about `axis`. A particle leaves through the nearest face.
+struct BoxDesc {
+  double3 center{0, 0, 0};
+  double3 half{1, 1, 1};  ///< m, half the edges, each > 0
+  double3 axis{1, 0, 0};  ///< need not be normalised; not zero unless degrees is 0
+  double degrees = 0;
+  double3 velocity{0, 0, 0};
+  double friction = 0;
 };
 
 /// One pass of the compiled plan, in the order it runs.
@@ -164,6 +194,9 @@ class WEFT_API World {
   bool valid(ClothId) const noexcept;
   Result<ColliderId> create_sphere(const SphereDesc&) noexcept;
   Result<ColliderId> create_plane(const PlaneDesc&) noexcept;
+  Result<ColliderId> create_capsule(const CapsuleDesc&) noexcept;
+  Result<ColliderId> create_cylinder(const CylinderDesc&) noexcept;
+  Result<ColliderId> create_box(const BoxDesc&) noexcept;
   Status destroy_collider(ColliderId) noexcept;
 
   /// Pins `vertices` where `targets` (one each, world, m) say: a free vertex is pinned, a pinned

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "api/cloth.h"
+#include "api/collider.h"
 #include "api/context_state.h"
 #include "plan/layout.h"
 #include "plan/plan.h"

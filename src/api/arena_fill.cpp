@@ -194,8 +194,6 @@ void fill_image(const ArenaInput& in, const plan::Layout& layout, int particle_s
 
 template <class T>
 void fill_params(const ArenaInput& in, std::vector<ClothParams<T>>& out) {
-  const int spheres = static_cast<int>(in.shape.spheres),
-            planes = static_cast<int>(in.shape.planes);
   int forced = 0;
   for (size_t c = 0; c < in.cloths.size(); ++c) {
     const ClothRecord& cloth = *in.cloths[c];
@@ -213,10 +211,11 @@ void fill_params(const ArenaInput& in, std::vector<ClothParams<T>>& out) {
     p.starting = cloth.moved ? 0 : 1;
     p.force_offset = cloth.forces.empty() ? no_forces : forced - cloth.first;
     if (!cloth.forces.empty()) forced += slices_of(cloth) * block_size;
-    p.sphere_first = static_cast<int>(c) * spheres;
-    p.sphere_end = p.sphere_first + spheres;
-    p.plane_first = static_cast<int>(c) * planes;
-    p.plane_end = p.plane_first + planes;
+    for (int k = 0; k < collider_shapes; ++k) {
+      const int count = static_cast<int>(in.shape.colliders[k]);
+      p.collider_first[k] = static_cast<int>(c) * count;
+      p.collider_end[k] = p.collider_first[k] + count;
+    }
     out[c] = p;
   }
 }
@@ -248,8 +247,11 @@ Simulation<T> views_of(const plan::Layout& l, const plan::Plan& plan, const plan
               reinterpret_cast<const int32_t*>(at(l.neighbour)),
               reinterpret_cast<const T*>(at(l.rest)), reinterpret_cast<const T*>(at(l.stiffness)),
               row_block};
-  sim.colliders = {reinterpret_cast<const Sphere<T>*>(at(l.spheres)),
-                   reinterpret_cast<const Plane<T>*>(at(l.planes))};
+  sim.colliders = {reinterpret_cast<const Sphere<T>*>(at(l.colliders[0])),
+                   reinterpret_cast<const Plane<T>*>(at(l.colliders[1])),
+                   reinterpret_cast<const Capsule<T>*>(at(l.colliders[2])),
+                   reinterpret_cast<const Cylinder<T>*>(at(l.colliders[3])),
+                   reinterpret_cast<const Box<T>*>(at(l.colliders[4]))};
   sim.pins = {vectors(l.pin_base), vectors(l.pin_glide),
               reinterpret_cast<const int32_t*>(at(l.pin_motion)),
               reinterpret_cast<const Vec3<T>*>(at(l.pin_offset)), static_cast<int>(shape.motions)};

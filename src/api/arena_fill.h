@@ -2,6 +2,7 @@
 #pragma once
 
 #include "api/arena.h"
+#include "api/vector_math.h"
 
 namespace weft::api {
 
@@ -23,14 +24,6 @@ template <class T>
 Vec3<T> narrow(const double3& v) {
   return {static_cast<T>(v.x), static_cast<T>(v.y), static_cast<T>(v.z)};
 }
-inline double3 minus(const double3& a, const double3& b) {
-  return {a.x - b.x, a.y - b.y, a.z - b.z};
-}
-inline double3 plus(const double3& a, const double3& b) {
-  return {a.x + b.x, a.y + b.y, a.z + b.z};
-}
-inline double3 times(double s, const double3& a) { return {s * a.x, s * a.y, s * a.z}; }
-
 /// Element i of an array of vectors in an image.
 template <class T>
 class VectorWriter {

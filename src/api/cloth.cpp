@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "api/context_state.h"
+#include "api/vector_math.h"
 #include "scene/check.h"
 #include "scene/trigonometry.h"
 
@@ -39,12 +40,6 @@ double3 motion_velocity(const PinMotion& m, double t) {
 
 namespace {
 
-void check_vector(const double3& v, const char* field) {
-  scene::check_finite(v.x, field);
-  scene::check_finite(v.y, field);
-  scene::check_finite(v.z, field);
-}
-
 void check_vertex(uint32_t vertex, uint32_t count, const char* field, uint32_t index) {
   if (vertex >= count) {
     throw InvalidInput(text("%s[%u] names vertex %u (the cloth has %u) give an index below that",
@@ -53,33 +48,12 @@ void check_vertex(uint32_t vertex, uint32_t count, const char* field, uint32_t i
 }
 
 void set_pose(const Pose& pose, ClothRecord& cloth) {
-  check_vector(pose.axis, "pose.axis");
-  scene::check_finite(pose.degrees, "pose.degrees");
-  check_vector(pose.translate, "pose.translate");
-  const double3 a = pose.axis;
-  const double length = std::sqrt(a.x * a.x + a.y * a.y + a.z * a.z);
-  cloth.translate = pose.translate;
-  if (pose.degrees == 0) {
-    cloth.rotation[0] = {1, 0, 0};
-    cloth.rotation[1] = {0, 1, 0};
-    cloth.rotation[2] = {0, 0, 1};
-    return;
-  }
-  if (!(length > 0) || !std::isfinite(length)) {
-    throw InvalidInput(
-        "pose.axis is (0, 0, 0) (it names no direction to rotate about) give an axis "
-        "or 0 degrees");
-  }
-  const double x = a.x / length, y = a.y / length, z = a.z / length;
-  const auto [s, c] = scene::sine_cosine_degrees(pose.degrees);
-  const double t = 1 - c;
-  cloth.rotation[0] = {t * x * x + c, t * x * y - s * z, t * x * z + s * y};
-  cloth.rotation[1] = {t * x * y + s * z, t * y * y + c, t * y * z - s * x};
-  cloth.rotation[2] = {t * x * z - s * y, t * y * z + s * x, t * z * z + c};
+  rotation_rows(pose.axis, pose.degrees, "pose.axis", cloth.rotation);
+  cloth.translate = checked_vector(pose.translate, "pose.translate");
 }
 
 void set_start(const ClothDesc& desc, uint32_t vertices, ClothRecord& cloth) {
-  check_vector(desc.velocity, "velocity");
+  checked_vector(desc.velocity, "velocity");
   cloth.velocity = desc.velocity;
   if (!desc.positions.empty()) {
     scene::check_positions(desc.positions, "positions");
@@ -102,7 +76,7 @@ void set_start(const ClothDesc& desc, uint32_t vertices, ClothRecord& cloth) {
     }
     cloth.velocities.resize(vertices);
     for (uint32_t v = 0; v < vertices; ++v) {
-      check_vector(desc.velocities[v], text("velocities[%u]", v).c_str());
+      checked_vector(desc.velocities[v], text("velocities[%u]", v).c_str());
       cloth.velocities[v] = desc.velocities[v];
     }
   }
@@ -113,8 +87,8 @@ void set_pins(const ClothDesc& desc, uint32_t vertices, ClothRecord& cloth) {
   scene::check_view(desc.motions.data, desc.motions.count, "motions");
   for (uint32_t m = 0; m < desc.motions.count; ++m) {
     const PinMotion& motion = desc.motions[m];
-    check_vector(motion.velocity, text("motions[%u].velocity", m).c_str());
-    check_vector(motion.amplitude, text("motions[%u].amplitude", m).c_str());
+    checked_vector(motion.velocity, text("motions[%u].velocity", m).c_str());
+    checked_vector(motion.amplitude, text("motions[%u].amplitude", m).c_str());
     scene::check_finite(motion.omega, text("motions[%u].omega", m).c_str());
     cloth.motions.push_back(motion);
   }
@@ -148,7 +122,7 @@ void set_forces(const ClothDesc& desc, uint32_t vertices, ClothRecord& cloth) {
   scene::check_view(desc.forces.data, desc.forces.count, "forces");
   for (uint32_t i = 0; i < desc.forces.count; ++i) {
     check_vertex(desc.forces[i].vertex, vertices, "forces", i);
-    check_vector(desc.forces[i].force, text("forces[%u]", i).c_str());
+    checked_vector(desc.forces[i].force, text("forces[%u]", i).c_str());
     cloth.forces.push_back(desc.forces[i]);
   }
   std::stable_sort(cloth.forces.begin(), cloth.forces.end(),

@@ -57,15 +57,6 @@ struct ClothRecord {
   uint32_t bound_a = 0, bound_b = 0;
 };
 
-struct ColliderRecord {
-  ColliderId id;
-  bool is_sphere = true;
-  double3 point;  ///< sphere: centre; plane: unit normal; at `since`
-  double size;    ///< sphere: radius; plane: offset
-  double3 velocity;
-  double since = 0;  ///< s: world time that `point` and `size` are of
-};
-
 /// Rest position of a vertex in the pose of the cloth, in the world.
 double3 posed(const ClothRecord&, uint32_t vertex);
 /// Where a vertex is at the start.

@@ -39,8 +39,6 @@ Status guarded(ContextState& context, const Body& body) noexcept {
     return body();
   } catch (const InvalidInput& problem) {
     return context.fail(Status::invalid_argument, problem.what());
-  } catch (const NotAvailable& problem) {
-    return context.fail(Status::unsupported, problem.what());
   } catch (const std::bad_alloc&) {
     return context.fail(
         Status::out_of_memory,

@@ -14,8 +14,12 @@ size_t FrameInputs<T>::vector_element(size_t slot, size_t component,
 
 template <class T>
 void FrameInputs<T>::prepare(const ArenaInput& in, const plan::Layout& layout, char* image) {
-  spheres_.resize(in.cloths.size() * in.shape.spheres);
-  planes_.resize(in.cloths.size() * in.shape.planes);
+  const size_t cloths = in.cloths.size();
+  spheres_.resize(cloths * in.shape.colliders_of(ColliderShape::sphere));
+  planes_.resize(cloths * in.shape.colliders_of(ColliderShape::plane));
+  capsules_.resize(cloths * in.shape.colliders_of(ColliderShape::capsule));
+  cylinders_.resize(cloths * in.shape.colliders_of(ColliderShape::cylinder));
+  boxes_.resize(cloths * in.shape.colliders_of(ColliderShape::box));
   slots_.clear();
   if (layout.block_pins == plan::absent) return;
   auto* of_block = reinterpret_cast<int32_t*>(image + layout.block_pins);
@@ -45,37 +49,68 @@ Status FrameInputs<T>::upload(const ArenaInput& in, const FrameInput& input,
   return status == Status::ok ? upload_pins(in, input, layout, base) : status;
 }
 
+/// One collider at `time`, in the frame of a cloth; next[shape]: where the next of a shape goes.
+template <class T>
+void FrameInputs<T>::stage_collider(const ColliderRecord& c, double time, const double3& origin,
+                                    size_t* next) {
+  const double3 moved = times(time - c.since, c.velocity);
+  const Vec3<T> at = narrow<T>(minus(plus(c.point, moved), origin));
+  const Surface<T> surface{narrow<T>(c.velocity), static_cast<T>(c.friction)};
+  const T size = static_cast<T>(c.size);
+  const size_t i = next[static_cast<int>(c.shape)]++;
+  switch (c.shape) {
+    case ColliderShape::sphere:
+      spheres_[i] = {at, size, surface};
+      break;
+    case ColliderShape::plane: {
+      const double offset = c.size + inner(c.point, moved) - inner(c.point, origin);
+      planes_[i] = {narrow<T>(c.point), static_cast<T>(offset), surface};
+      break;
+    }
+    case ColliderShape::capsule: {
+      const double length2 = inner(c.axis, c.axis);
+      const T inverse = static_cast<T>(length2 > 0 ? 1 / length2 : 0);
+      capsules_[i] = {at, narrow<T>(c.axis), inverse, size, narrow<T>(c.side), surface};
+      break;
+    }
+    case ColliderShape::cylinder:
+      cylinders_[i] = {at,   narrow<T>(c.axis), static_cast<T>(c.length),
+                       size, narrow<T>(c.side), surface};
+      break;
+    case ColliderShape::box:
+      boxes_[i] = {at,
+                   {narrow<T>(c.edges[0]), narrow<T>(c.edges[1]), narrow<T>(c.edges[2])},
+                   narrow<T>(c.half),
+                   surface};
+      break;
+  }
+}
+
 /// Colliders at the start of the frame, in each cloth's own frame.
 template <class T>
 Status FrameInputs<T>::upload_colliders(const ArenaInput& in, double time,
                                         const plan::Layout& layout, char* base) {
-  size_t s = 0, p = 0;
+  size_t next[collider_shapes] = {};
   for (const ClothRecord* cloth : in.cloths) {
     for (const ColliderRecord& c : *in.colliders) {
-      const double age = time - c.since;
-      if (!c.id) continue;
-      if (c.is_sphere) {
-        const double3 center = minus(plus(c.point, times(age, c.velocity)), cloth->origin);
-        spheres_[s++] = {narrow<T>(center), narrow<T>(c.velocity), static_cast<T>(c.size)};
-      } else {
-        const auto along = [&](const double3& v) {
-          return c.point.x * v.x + c.point.y * v.y + c.point.z * v.z;
-        };
-        const double speed = along(c.velocity);
-        planes_[p++] = {narrow<T>(c.point),
-                        static_cast<T>(c.size + speed * age - along(cloth->origin)),
-                        static_cast<T>(speed)};
-      }
+      if (c.id) stage_collider(c, time, cloth->origin, next);
     }
   }
-  Status status = Status::ok;
-  if (s > 0) {
-    status = backend_.to_device(base + layout.spheres, spheres_.data(), s * sizeof(Sphere<T>));
+  const struct {
+    const void* data;
+    size_t bytes;
+  } staged[collider_shapes] = {{spheres_.data(), spheres_.size() * sizeof(Sphere<T>)},
+                               {planes_.data(), planes_.size() * sizeof(Plane<T>)},
+                               {capsules_.data(), capsules_.size() * sizeof(Capsule<T>)},
+                               {cylinders_.data(), cylinders_.size() * sizeof(Cylinder<T>)},
+                               {boxes_.data(), boxes_.size() * sizeof(Box<T>)}};
+  for (int shape = 0; shape < collider_shapes; ++shape) {
+    if (staged[shape].bytes == 0) continue;
+    const Status status =
+        backend_.to_device(base + layout.colliders[shape], staged[shape].data, staged[shape].bytes);
+    if (status != Status::ok) return status;
   }
-  if (status == Status::ok && p > 0) {
-    status = backend_.to_device(base + layout.planes, planes_.data(), p * sizeof(Plane<T>));
-  }
-  return status;
+  return Status::ok;
 }
 
 template <class T>

@@ -25,6 +25,7 @@ class FrameInputs {
   };
 
   Status upload_colliders(const ArenaInput&, double time, const plan::Layout&, char* base);
+  void stage_collider(const ColliderRecord&, double time, const double3& origin, size_t* next);
   Status upload_pins(const ArenaInput&, const FrameInput&, const plan::Layout&, char* base);
   void stage_pins();
   void stage_motions(const ArenaInput&, const FrameInput&);
@@ -33,6 +34,9 @@ class FrameInputs {
   const Backend& backend_;
   std::vector<Sphere<T>> spheres_;
   std::vector<Plane<T>> planes_;
+  std::vector<Capsule<T>> capsules_;
+  std::vector<Cylinder<T>> cylinders_;
+  std::vector<Box<T>> boxes_;
   std::vector<PinSlot> slots_;
   std::vector<int32_t> motion_;
   std::vector<T> base_, glide_;   ///< arrays of vectors in the back end's layout

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "api/vector_math.h"
 #include "api/world_state.h"
 #include "scene/check.h"
 
@@ -20,23 +21,6 @@ void check_world(const WorldDesc& desc) {
         text("safety is %g (a step is safe at a fraction of the bound) give a value in "
              "(0, 1]",
              desc.safety));
-  }
-}
-
-static double3 checked_vector(const double3& v, const char* field) {
-  scene::check_finite(v.x, field);
-  scene::check_finite(v.y, field);
-  scene::check_finite(v.z, field);
-  return v;
-}
-
-static void check_frictionless(double friction) {
-  scene::check_not_negative(friction, "friction");
-  if (friction > 0) {
-    throw NotAvailable(
-        text("friction is %g (colliders with friction are not available in this "
-             "version) give 0",
-             friction));
   }
 }
 
@@ -117,63 +101,43 @@ Status World::destroy_cloth(ClothId id) noexcept {
 
 bool World::valid(ClothId id) const noexcept { return impl_ && impl_->find(id) != nullptr; }
 
-static Result<ColliderId> add_collider(World::Impl* impl, const api::ColliderRecord& made) {
-  api::ColliderRecord record = made;
-  record.since = impl->time;
-  for (uint32_t slot = 0; slot < impl->colliders.size(); ++slot) {
-    if (impl->colliders[slot].id) continue;
-    record.id = {slot, ++impl->collider_generations[slot]};
-    impl->colliders[slot] = record;
-    return record.id;
-  }
-  record.id = {static_cast<uint32_t>(impl->colliders.size()), 1};
-  impl->colliders.push_back(record);
-  impl->collider_generations.push_back(1);
-  return record.id;
-}
-
-Result<ColliderId> World::create_sphere(const SphereDesc& sphere) noexcept {
-  if (!impl_) return Status::invalid_handle;
-  Result<ColliderId> made = Status::invalid_argument;
-  const Status status = api::guarded(*impl_->context, [&] {
-    api::ColliderRecord record;
-    record.point = api::checked_vector(sphere.center, "sphere.center");
-    scene::check_positive(sphere.radius, "sphere.radius");
-    record.size = sphere.radius;
-    record.velocity = api::checked_vector(sphere.velocity, "sphere.velocity");
-    api::check_frictionless(sphere.friction);
-    made = add_collider(impl_, record);
-    impl_->dirty = true;
-    return Status::ok;
-  });
-  return status == Status::ok ? made : Result<ColliderId>(status);
-}
-
-Result<ColliderId> World::create_plane(const PlaneDesc& plane) noexcept {
-  if (!impl_) return Status::invalid_handle;
-  Result<ColliderId> made = Status::invalid_argument;
-  const Status status = api::guarded(*impl_->context, [&] {
-    api::ColliderRecord record;
-    record.is_sphere = false;
-    const double3 n = api::checked_vector(plane.normal, "plane.normal");
-    const double length = std::sqrt(n.x * n.x + n.y * n.y + n.z * n.z);
-    if (!(length > 0) || !std::isfinite(length)) {
-      throw InvalidInput(
-          text("plane.normal is (%g, %g, %g) (it has no direction) give a vector of "
-               "ordinary length",
-               n.x, n.y, n.z));
+/// Checks a description and takes it up; a world keeps its colliders in slots.
+template <class Desc>
+static Result<ColliderId> add_collider(World::Impl* impl, const Desc& desc) {
+  if (!impl) return Status::invalid_handle;
+  ColliderId id;
+  const Status status = api::guarded(*impl->context, [&] {
+    api::ColliderRecord record = api::record_of(desc);
+    record.since = impl->time;
+    size_t slot = 0;
+    while (slot < impl->colliders.size() && impl->colliders[slot].id) ++slot;
+    if (slot == impl->colliders.size()) {
+      impl->colliders.emplace_back();
+      impl->collider_generations.push_back(0);
     }
-    record.point = {n.x / length, n.y / length, n.z / length};
-    scene::check_finite(plane.offset, "plane.offset");
-    record.size = plane.offset;
-    record.velocity = api::checked_vector(plane.velocity, "plane.velocity");
-    api::check_frictionless(plane.friction);
-    made = add_collider(impl_, record);
-    impl_->dirty = true;
+    id = {static_cast<uint32_t>(slot), ++impl->collider_generations[slot]};
+    record.id = id;
+    impl->colliders[slot] = record;
+    impl->dirty = true;
     return Status::ok;
   });
-  return status == Status::ok ? made : Result<ColliderId>(status);
+  if (status != Status::ok) return status;
+  return id;
 }
+
+Result<ColliderId> World::create_sphere(const SphereDesc& d) noexcept {
+  return add_collider(impl_, d);
+}
+Result<ColliderId> World::create_plane(const PlaneDesc& d) noexcept {
+  return add_collider(impl_, d);
+}
+Result<ColliderId> World::create_capsule(const CapsuleDesc& d) noexcept {
+  return add_collider(impl_, d);
+}
+Result<ColliderId> World::create_cylinder(const CylinderDesc& d) noexcept {
+  return add_collider(impl_, d);
+}
+Result<ColliderId> World::create_box(const BoxDesc& d) noexcept { return add_collider(impl_, d); }
 
 Status World::destroy_collider(ColliderId id) noexcept {
   if (!impl_) return Status::invalid_handle;

@@ -64,7 +64,7 @@ api::ArenaInput World::Impl::arena_input(uint32_t substeps) {
   }
   in.shape.motions = static_cast<uint32_t>(motions);
   for (const api::ColliderRecord& c : colliders) {
-    if (c.id) ++(c.is_sphere ? in.shape.spheres : in.shape.planes);
+    if (c.id) ++in.shape.colliders[static_cast<int>(c.shape)];
   }
   return in;
 }

@@ -24,6 +24,14 @@ struct Lanes {
     WEFT_SIMD
     for (int l = 0; l < N; ++l) f(l);
   }
+  /// Whether f(l) holds for any lane of this call: on the GPU, for the thread's own.
+  template <class F>
+  WEFT_HD bool any(F f) const {
+    int found = 0;
+    WEFT_SIMD_OR(found)
+    for (int l = 0; l < N; ++l) found |= f(l) ? 1 : 0;
+    return found != 0;
+  }
 };
 
 /// One vector per lane that lives from stage to stage: registers on the GPU, first-level cache on

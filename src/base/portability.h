@@ -5,6 +5,7 @@
 //   WEFT_HD_COLD     the same for a stage that is rare: the host keeps one copy of it
 //   WEFT_LANE        goes between the parameter list and the body of a lane lambda
 //   WEFT_SIMD        before a loop over the lanes of a block
+//   WEFT_SIMD_OR     the same for a loop that combines `found` with |
 //   WEFT_UNROLL      before a loop of constant length that must disappear
 //   WEFT_BACKEND_NS  namespace of everything that this compilation turns into code: two copies of a
 //                    function never share a symbol, so the linker cannot keep the wrong one
@@ -18,11 +19,14 @@
 #  define WEFT_HD_COLD __host__ __device__
 #  define WEFT_LANE
 #  define WEFT_SIMD
+#  define WEFT_SIMD_OR(found)
 #else
 #  define WEFT_HD __attribute__((always_inline)) inline
 #  define WEFT_HD_COLD __attribute__((noinline))
 #  define WEFT_LANE __attribute__((always_inline))
 #  define WEFT_SIMD _Pragma("omp simd")
+#  define WEFT_PRAGMA(text) _Pragma(#  text)
+#  define WEFT_SIMD_OR(found) WEFT_PRAGMA(omp simd reduction(| : found))
 #endif
 
 #if defined(__CUDA_ARCH__) || defined(__HIP_DEVICE_COMPILE__)

@@ -54,21 +54,14 @@ WorldDesc world_desc(const Scene& scene) {
   return desc;
 }
 
-Status add_collider(World& world, const ColliderScene& collider) {
-  if (const auto* shape = std::get_if<SphereDesc>(&collider.shape)) {
-    SphereDesc sphere = *shape;
-    sphere.velocity = collider.velocity;
-    sphere.friction = collider.friction;
-    return world.create_sphere(sphere).status();
-  }
-  if (const auto* shape = std::get_if<PlaneDesc>(&collider.shape)) {
-    PlaneDesc plane = *shape;
-    plane.velocity = collider.velocity;
-    plane.friction = collider.friction;
-    return world.create_plane(plane).status();
-  }
-  return Status::unsupported;
-}
+struct ColliderMaker {
+  World& world;
+  Status operator()(const SphereDesc& d) const { return world.create_sphere(d).status(); }
+  Status operator()(const PlaneDesc& d) const { return world.create_plane(d).status(); }
+  Status operator()(const CylinderDesc& d) const { return world.create_cylinder(d).status(); }
+  Status operator()(const CapsuleDesc& d) const { return world.create_capsule(d).status(); }
+  Status operator()(const BoxDesc& d) const { return world.create_box(d).status(); }
+};
 
 std::string element_path(const Scene& scene, const char* key, size_t index) {
   return scene.file + ": $." + key + "[" + std::to_string(index) + "]";
@@ -106,7 +99,8 @@ Simulation build(const Scene& scene, ContextDesc desc) {
     made.cloths.push_back(*cloth);
   }
   for (size_t i = 0; i < scene.colliders.size(); ++i) {
-    made.require(add_collider(made.world, scene.colliders[i]), element_path(scene, "colliders", i));
+    made.require(std::visit(ColliderMaker{made.world}, scene.colliders[i]),
+                 element_path(scene, "colliders", i));
   }
   return made;
 }

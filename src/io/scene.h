@@ -72,25 +72,7 @@ struct ClothScene {
   std::vector<VertexForce> forces;
 };
 
-struct CylinderShape {
-  double3 a, b;
-  double radius;
-};
-struct CapsuleShape {
-  double3 a, b;
-  double radius;
-};
-struct BoxShape {
-  double3 center, half;
-  double3 axis;
-  double degrees;
-};
-/// Spheres and planes without their velocity and friction, which every collider has.
-struct ColliderScene {
-  std::variant<SphereDesc, PlaneDesc, CylinderShape, CapsuleShape, BoxShape> shape;
-  double friction = 0;
-  double3 velocity{0, 0, 0};
-};
+using ColliderScene = std::variant<SphereDesc, PlaneDesc, CylinderDesc, CapsuleDesc, BoxDesc>;
 
 struct WindScene {
   double3 velocity{0, 0, 0};

@@ -30,11 +30,6 @@ const char* name_of(Integrator integrator) {
   return "";
 }
 
-const char* name_of(const ColliderScene& collider) {
-  static constexpr const char* names[] = {"sphere", "plane", "cylinder", "capsule", "box"};
-  return names[collider.shape.index()];
-}
-
 void refuse_solver(const SolverSettings& solver) {
   if (solver.integrator != Integrator::verlet) {
     refuse("$.solver.integrator", name_of(solver.integrator), "give \"verlet\"");
@@ -47,24 +42,10 @@ void refuse_solver(const SolverSettings& solver) {
   }
 }
 
-void refuse_collider(const ColliderScene& collider, size_t index) {
-  const std::string path = "$.colliders[" + std::to_string(index) + "]";
-  const bool simple = std::holds_alternative<SphereDesc>(collider.shape) ||
-                      std::holds_alternative<PlaneDesc>(collider.shape);
-  if (!simple) {
-    refuse(path + "." + name_of(collider), std::string("a ") + name_of(collider),
-           "give a sphere or a plane");
-  }
-  if (collider.friction > 0) {
-    refuse(path + ".friction", number_text(collider.friction), "give 0");
-  }
-}
-
 }  // namespace
 
 void refuse_unavailable(const Scene& scene) {
   refuse_solver(scene.solver);
-  for (size_t i = 0; i < scene.colliders.size(); ++i) refuse_collider(scene.colliders[i], i);
   if (scene.wind) refuse("$.wind", "wind", "give null");
   if (scene.self_collision) refuse("$.self_collision", "self-collision", "give null");
 }

@@ -33,25 +33,32 @@ PlaneDesc read_plane(const Node& node) {
   return plane;
 }
 
-CylinderShape read_cylinder(const Node& node) {
+CylinderDesc read_cylinder(const Node& node) {
   node.require_object({"a", "b", "radius"});
   const Node b = node.at("b", "the other end");
-  const CylinderShape shape{node.at("a", "one end").vector(), b.vector(), read_radius(node)};
-  if (equal(shape.a, shape.b)) {
+  CylinderDesc cylinder;
+  cylinder.a = node.at("a", "one end").vector();
+  cylinder.b = b.vector();
+  cylinder.radius = read_radius(node);
+  if (equal(cylinder.a, cylinder.b)) {
     b.fail("is equal to \"a\" (a cylinder has a length) give two different ends");
   }
-  return shape;
+  return cylinder;
 }
 
-CapsuleShape read_capsule(const Node& node) {
+CapsuleDesc read_capsule(const Node& node) {
   node.require_object({"a", "b", "radius"});
-  return {node.at("a", "one end").vector(), node.at("b", "the other end").vector(),
-          read_radius(node)};
+  CapsuleDesc capsule;
+  capsule.a = node.at("a", "one end").vector();
+  capsule.b = node.at("b", "the other end").vector();
+  capsule.radius = read_radius(node);
+  return capsule;
 }
 
-BoxShape read_box(const Node& node) {
+BoxDesc read_box(const Node& node) {
   node.require_object({"center", "half", "rotate"});
-  BoxShape box{node.at("center", "a position").vector(), {}, {1, 0, 0}, 0};
+  BoxDesc box;
+  box.center = node.at("center", "a position").vector();
   const Node half = node.at("half", "half the lengths of the edges");
   box.half = half.vector();
   for (size_t axis = 0; axis < 3; ++axis) half[axis].number(Sign::positive);
@@ -80,17 +87,21 @@ ColliderScene read_collider(const Node& node) {
   const std::string_view kind = node.exactly_one({"sphere", "plane", "cylinder", "capsule", "box"});
   const Node shape = node.at(kind.data(), "it");
   if (kind == "sphere")
-    collider.shape = read_sphere(shape);
+    collider = read_sphere(shape);
   else if (kind == "plane")
-    collider.shape = read_plane(shape);
+    collider = read_plane(shape);
   else if (kind == "cylinder")
-    collider.shape = read_cylinder(shape);
+    collider = read_cylinder(shape);
   else if (kind == "capsule")
-    collider.shape = read_capsule(shape);
+    collider = read_capsule(shape);
   else
-    collider.shape = read_box(shape);
-  if (const auto key = node.find("friction")) collider.friction = key->number(Sign::not_negative);
-  if (const auto key = node.find("velocity")) collider.velocity = key->vector();
+    collider = read_box(shape);
+  std::visit(
+      [&](auto& desc) {
+        if (const auto key = node.find("friction")) desc.friction = key->number(Sign::not_negative);
+        if (const auto key = node.find("velocity")) desc.velocity = key->vector();
+      },
+      collider);
   return collider;
 }
 

@@ -38,16 +38,11 @@ struct ParticleStages {
   /// Free particles against the cloth's colliders, one after the other.
   template <int N>
   WEFT_HD void collide(const ClothParams<T>& cloth, int i0, Lanes<N> lanes) const {
-    for (int s = cloth.sphere_first; s < cloth.sphere_end; ++s) {
-      const Sphere<T> sphere = sim.colliders.spheres[s];
-      const Vec3<T> center = sphere.center + step.time * sphere.velocity;
-      push(i0, lanes, [&](Vec3<T> x) WEFT_LANE { return out_of_sphere(x, center, sphere.radius); });
-    }
-    for (int s = cloth.plane_first; s < cloth.plane_end; ++s) {
-      const Plane<T> plane = sim.colliders.planes[s];
-      const T offset = plane.offset + step.time * plane.speed;
-      push(i0, lanes, [&](Vec3<T> x) WEFT_LANE { return out_of_plane(x, plane.normal, offset); });
-    }
+    collide_with(sim.colliders.spheres, ColliderShape::sphere, cloth, i0, lanes);
+    collide_with(sim.colliders.planes, ColliderShape::plane, cloth, i0, lanes);
+    collide_with(sim.colliders.capsules, ColliderShape::capsule, cloth, i0, lanes);
+    collide_with(sim.colliders.cylinders, ColliderShape::cylinder, cloth, i0, lanes);
+    collide_with(sim.colliders.boxes, ColliderShape::box, cloth, i0, lanes);
   }
 
   /// Puts the moving pins of a block where they are at the end of the substep.
@@ -158,23 +153,48 @@ struct ParticleStages {
     }
   }
 
-  /// Moves the free particles of a block by `out(x)`. The displacement takes the same correction,
-  /// not the difference of positions: that would round away what the summed form keeps.
-  template <int N, class Out>
-  WEFT_HD void push(int i0, Lanes<N> lanes, Out out) const {
-    if (step.position_form) {
-      lanes.each([&](int l) WEFT_LANE {
-        const Vec3<T> x = load(p.x_out, i0 + l);
-        store(p.x_out, i0 + l, x + if_free(sim.inverse_mass[i0 + l], out(x)));
-      });
-    } else {
-      lanes.each([&](int l) WEFT_LANE {
-        const Vec3<T> x = load(p.x_out, i0 + l);
-        const Vec3<T> correction = if_free(sim.inverse_mass[i0 + l], out(x));
-        store(p.x_out, i0 + l, x + correction);
-        store(p.d_out, i0 + l, load(p.d_out, i0 + l) + correction);
-      });
+  /// Blocks with no particle inside, which are most, pay for the test only.
+  template <class Shape, int N>
+  WEFT_HD void collide_with(const Shape* shapes, ColliderShape kind, const ClothParams<T>& cloth,
+                            int i0, Lanes<N> lanes) const {
+    const int k = static_cast<int>(kind);
+    for (int s = cloth.collider_first[k]; s < cloth.collider_end[k]; ++s) {
+      const Shape shape = shapes[s];
+      const Vec3<T> by = step.time * shape.surface.velocity;
+      const bool touched =
+          lanes.any([&](int l) WEFT_LANE { return is_inside(shape, by, load(p.x_out, i0 + l)); });
+      if (touched) push_out(shape, by, i0, lanes);
     }
+  }
+
+  /// Moves the free particles of a block out of a collider. The displacement takes the same
+  /// correction as the position, not the difference of positions: that would round away what the
+  /// summed form keeps. In the position form it follows from the positions.
+  template <class Shape, int N>
+  WEFT_HD_COLD void push_out(const Shape& shape, Vec3<T> by, int i0, Lanes<N> lanes) const {
+    if (step.position_form) {
+      push_out_as<true>(shape, by, i0, lanes);
+    } else {
+      push_out_as<false>(shape, by, i0, lanes);
+    }
+  }
+
+  template <bool Position, class Shape, int N>
+  WEFT_HD void push_out_as(const Shape& shape, Vec3<T> by, int i0, Lanes<N> lanes) const {
+    const Vec3<T> carried = step.dt * shape.surface.velocity;
+    const T friction = shape.surface.friction;
+    lanes.each([&](int l) WEFT_LANE {
+      const int i = i0 + l;
+      const Vec3<T> x = load(p.x_out, i);
+      const bool hit = (sim.inverse_mass[i] > T(0)) & is_inside(shape, by, x);
+      const Vec3<T> push = select(hit, way_out(shape, by, x), Vec3<T>{T(0), T(0), T(0)});
+      const Vec3<T> d = Position ? x - load(p.x_in, i) : load(p.d_out, i);
+      const Vec3<T> slip = d - carried;
+      const T share = impact_share(push, slip);
+      const Vec3<T> drag = friction_displacement(push, slip, share, friction);
+      store(p.x_out, i, x + (push + drag));
+      if constexpr (!Position) store(p.d_out, i, d + (share * push + drag));
+    });
   }
 };
 

@@ -26,10 +26,11 @@ struct WorldShape {
   Precision precision = Precision::float32;
   bool position_form = false;
   std::vector<ClothShape> cloths;
-  uint32_t spheres = 0, planes = 0;
+  uint32_t colliders[collider_shapes] = {};  ///< by ColliderShape
   uint32_t motions = 0;   ///< of all cloths, and one for "none" when any pin moves
   uint32_t substeps = 1;  ///< most in a frame: motions are tabulated
 
+  uint32_t colliders_of(ColliderShape shape) const { return colliders[static_cast<int>(shape)]; }
   bool any_grid() const;
   bool any_rows() const;
   bool any_per_spring() const;

@@ -33,6 +33,23 @@ class Cutter {
   size_t scalar_, step_, bytes_ = 0;
 };
 
+template <class T>
+size_t collider_bytes(int shape) {
+  switch (static_cast<ColliderShape>(shape)) {
+    case ColliderShape::sphere:
+      return sizeof(Sphere<T>);
+    case ColliderShape::plane:
+      return sizeof(Plane<T>);
+    case ColliderShape::capsule:
+      return sizeof(Capsule<T>);
+    case ColliderShape::cylinder:
+      return sizeof(Cylinder<T>);
+    case ColliderShape::box:
+      return sizeof(Box<T>);
+  }
+  return 0;
+}
+
 }  // namespace
 
 bool WorldShape::any_grid() const {
@@ -99,12 +116,10 @@ Layout lay_out(const WorldShape& world, int particle_step) {
   }
   if (forced > 0) l.force = cut.take_vectors(forced * block_size, 0);
   const size_t cloths = world.cloths.size();
-  if (world.spheres > 0) {
-    l.spheres =
-        cut.take(cloths * world.spheres, wide ? sizeof(Sphere<double>) : sizeof(Sphere<float>));
-  }
-  if (world.planes > 0) {
-    l.planes = cut.take(cloths * world.planes, wide ? sizeof(Plane<double>) : sizeof(Plane<float>));
+  for (int shape = 0; shape < collider_shapes; ++shape) {
+    const size_t count = cloths * world.colliders[shape];
+    const size_t bytes = wide ? collider_bytes<double>(shape) : collider_bytes<float>(shape);
+    if (count > 0) l.colliders[shape] = cut.take(count, bytes);
   }
   if (const size_t pin_blocks = world.moving_pin_blocks(); pin_blocks > 0) {
     l.block_pins = cut.take(blocks, sizeof(int32_t));

@@ -24,7 +24,7 @@ struct Layout {
   size_t cloths = absent;
   size_t slice_start = absent, neighbour = absent, rest = absent, stiffness = absent;
   VectorArray force;
-  size_t spheres = absent, planes = absent;
+  size_t colliders[collider_shapes] = {absent, absent, absent, absent, absent};
   VectorArray pin_base, pin_glide;
   size_t pin_motion = absent, pin_offset = absent;
   size_t scratch = absent;

@@ -5,7 +5,7 @@
 //           ^ element 0, block 0
 #pragma once
 
-#include "base/view.h"
+#include "state/colliders.h"
 
 namespace weft {
 
@@ -27,8 +27,7 @@ struct ClothParams {
   int drag_model;             ///< state/step.h, Drag
   int starting;               ///< 1: the start pass is its first
   int force_offset;           ///< element of the first force minus `first`; no_forces: none
-  int sphere_first, sphere_end;
-  int plane_first, plane_end;
+  int collider_first[collider_shapes], collider_end[collider_shapes];
 };
 
 constexpr int no_forces = INT32_MIN;

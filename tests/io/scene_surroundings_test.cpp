@@ -14,11 +14,27 @@ TEST(SceneSurroundings, ReadsSpheresAndPlanes) {
   const Scene scene = read_json(with("colliders", R"([
     { "sphere": { "center": [1,2,3], "radius": 0.5 }, "friction": 0, "velocity": [0,1,0] },
     { "plane": { "normal": [0,2,0], "offset": -1 } }])"));
-  const auto& sphere = std::get<SphereDesc>(scene.colliders[0].shape);
+  const auto& sphere = std::get<SphereDesc>(scene.colliders[0]);
   EXPECT_EQ(sphere.center.z, 3);
   EXPECT_EQ(sphere.radius, 0.5);
-  EXPECT_EQ(scene.colliders[0].velocity.y, 1);
-  EXPECT_EQ(std::get<PlaneDesc>(scene.colliders[1].shape).offset, -1);
+  EXPECT_EQ(sphere.velocity.y, 1);
+  EXPECT_EQ(std::get<PlaneDesc>(scene.colliders[1]).offset, -1);
+}
+
+TEST(SceneSurroundings, EveryShapeBringsItsFrictionAndVelocity) {
+  const Scene scene = read_json(with("colliders", R"([
+    { "cylinder": { "a": [0,0,0], "b": [0,2,0], "radius": 0.5 }, "friction": 0.25 },
+    { "capsule": { "a": [1,0,0], "b": [1,0,0], "radius": 0.1 }, "velocity": [0,0,3] },
+    { "box": { "center": [0,1,0], "half": [1,2,3],
+               "rotate": { "axis": [0,0,1], "degrees": 30 } }, "friction": 1 } ])"));
+  const auto& cylinder = std::get<CylinderDesc>(scene.colliders[0]);
+  EXPECT_EQ(cylinder.b.y, 2);
+  EXPECT_EQ(cylinder.friction, 0.25);
+  EXPECT_EQ(std::get<CapsuleDesc>(scene.colliders[1]).velocity.z, 3);
+  const auto& box = std::get<BoxDesc>(scene.colliders[2]);
+  EXPECT_EQ(box.half.z, 3);
+  EXPECT_EQ(box.degrees, 30);
+  EXPECT_EQ(box.friction, 1);
 }
 
 TEST(SceneSurroundings, RefusesBadColliders) {
@@ -64,15 +80,7 @@ TEST(SceneSurroundings, WhatIsNotAvailableIsNamed) {
        {"solver", R"({"energy_guard": true})", "$.solver.energy_guard: true is not available"},
        {"wind", R"({"velocity": [1,0,0]})", "$.wind: wind is not available in this version"},
        {"self_collision", "{}",
-        "$.self_collision: self-collision is not available in this version"},
-       {"colliders", R"([{"cylinder": {"a": [0,0,0], "b": [0,1,0], "radius": 1}}])",
-        "$.colliders[0].cylinder: a cylinder is not available in this version"},
-       {"colliders", R"([{"capsule": {"a": [0,0,0], "b": [0,1,0], "radius": 1}}])",
-        "a capsule is not available in this version"},
-       {"colliders", R"([{"box": {"center": [0,0,0], "half": [1,1,1], "rotate": {}}}])",
-        "a box is not available in this version"},
-       {"colliders", R"([{"sphere": {"center": [0,0,0], "radius": 1}, "friction": 0.5}])",
-        "$.colliders[0].friction: 0.5 is not available in this version"}});
+        "$.self_collision: self-collision is not available in this version"}});
 }
 
 TEST(SceneSurroundings, GarbageInUnavailableKeysIsGarbage) {

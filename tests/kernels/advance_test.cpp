@@ -41,7 +41,7 @@ struct TwoBlocks {
     cloth.drag_model = int(Drag::central);
     cloth.spring_damping = 0.01f;
     cloth.force_offset = no_forces;
-    cloth.sphere_end = cloth.plane_end = 1;
+    for (int& end : cloth.collider_end) end = 1;
   }
   Vec3Array<float> view(int k) { return {arrays[k].data() + guard, pitch}; }
   void set(int k, int i, Vec3<float> v) { store(view(k), i, v); }
@@ -52,7 +52,7 @@ struct TwoBlocks {
     sim.block = {block_cloth, block_inner, nullptr};
     sim.presence = presence.data();
     sim.inverse_mass = w.data();
-    sim.colliders = {&sphere, &plane};
+    sim.colliders = {&sphere, &plane, &capsule, &cylinder, &box};
     StepParams<float> step{};
     step.dt = 0.002f;
     step.ratio = 1;
@@ -66,8 +66,12 @@ struct TwoBlocks {
   ClothParams<float> cloth{};
   int32_t block_cloth[2] = {0, 0};
   uint8_t block_inner[2] = {0, 0};
-  Sphere<float> sphere{{0.35f, 0.3f, 0}, {0, 0, 0}, 0.15f};
-  Plane<float> plane{{0, 1, 0}, 0.02f, 0};
+  Sphere<float> sphere{{0.35f, 0.3f, 0}, 0.15f, {{0, 0, 0}, 0}};
+  Plane<float> plane{{0, 1, 0}, 0.02f, {{0.1f, 0, 0}, 0.3f}};
+  Capsule<float> capsule{{0.6f, 0.5f, 0}, {0.1f, 0, 0}, 100, 0.1f, {0, 1, 0}, {{0, 0, 0}, 0.2f}};
+  Cylinder<float> cylinder{{0.05f, 0.6f, -0.2f}, {0, 0, 1}, 0.4f, 0.08f, {1, 0, 0}, {{0, 0, 0}, 0}};
+  Box<float> box{
+      {0.7f, 0.1f, 0}, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {0.06f, 0.05f, 0.2f}, {{0, 0, 0}, 0.5f}};
 };
 
 TEST(Advance, AWarpAndABlockGiveTheSameBits) {

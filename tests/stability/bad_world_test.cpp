@@ -170,19 +170,55 @@ TEST(BadPlane, EveryFieldIsChecked) {
     }
 }
 
-TEST(BadCollider, FrictionIsNotAvailable) {
+TEST(BadCollider, DegenerateShapesAreRefused) {
   TestWorld test;
   add_particles(test, {{0, 5, 0}});
-  weft::SphereDesc sphere;
-  sphere.friction = 0.5;
-  weft::PlaneDesc plane;
-  plane.friction = 0.5;
-  expect_refused_unchanged(
-      test, {"friction", "not available in this version"},
-      [&] { return test.world().create_sphere(sphere).status(); }, weft::Status::unsupported);
-  expect_refused_unchanged(
-      test, {"friction", "not available in this version"},
-      [&] { return test.world().create_plane(plane).status(); }, weft::Status::unsupported);
+  for (const double bad : not_positive) {
+    weft::CapsuleDesc capsule;
+    capsule.radius = bad;
+    expect_refused_unchanged(test, {"capsule.radius"},
+                             [&] { return test.world().create_capsule(capsule).status(); });
+    weft::CylinderDesc cylinder;
+    cylinder.radius = bad;
+    expect_refused_unchanged(test, {"cylinder.radius"},
+                             [&] { return test.world().create_cylinder(cylinder).status(); });
+    weft::BoxDesc box;
+    box.half.z = bad;
+    expect_refused_unchanged(test, {"box.half.z"},
+                             [&] { return test.world().create_box(box).status(); });
+  }
+  weft::CylinderDesc flat;
+  flat.a = flat.b = {1, 2, 3};
+  expect_refused_unchanged(test, {"cylinder.a", "cylinder.b"},
+                           [&] { return test.world().create_cylinder(flat).status(); });
+  weft::BoxDesc turned;
+  turned.axis = {0, 0, 0};
+  turned.degrees = 10;
+  expect_refused_unchanged(test, {"box rotation"},
+                           [&] { return test.world().create_box(turned).status(); });
+}
+
+TEST(BadCollider, FrictionAndVelocityOfEveryShapeAreChecked) {
+  TestWorld test;
+  add_particles(test, {{0, 5, 0}});
+  for (const double bad : {-0.5, infinity, not_a_number}) {
+    weft::CapsuleDesc capsule;
+    capsule.friction = bad;
+    expect_refused_unchanged(test, {"capsule.friction"},
+                             [&] { return test.world().create_capsule(capsule).status(); });
+    weft::BoxDesc box;
+    box.friction = bad;
+    expect_refused_unchanged(test, {"box.friction"},
+                             [&] { return test.world().create_box(box).status(); });
+    weft::SphereDesc sphere;
+    sphere.friction = bad;
+    expect_refused_unchanged(test, {"sphere.friction"},
+                             [&] { return test.world().create_sphere(sphere).status(); });
+  }
+  weft::CylinderDesc cylinder;
+  cylinder.velocity.y = not_a_number;
+  expect_refused_unchanged(test, {"cylinder.velocity"},
+                           [&] { return test.world().create_cylinder(cylinder).status(); });
 }
 
 }  // namespace

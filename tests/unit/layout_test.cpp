@@ -22,8 +22,7 @@ TEST(Layout, AnEffectThatNoClothNamesHasNoBuffer) {
   EXPECT_EQ(l.force.offset, absent);
   EXPECT_EQ(l.neighbour, absent);
   EXPECT_EQ(l.stiffness, absent);
-  EXPECT_EQ(l.spheres, absent);
-  EXPECT_EQ(l.planes, absent);
+  for (const size_t array : l.colliders) EXPECT_EQ(array, absent);
   EXPECT_EQ(l.block_pins, absent);
   EXPECT_EQ(l.pin_base.offset, absent);
   EXPECT_EQ(l.x[2].offset, absent);
@@ -41,7 +40,7 @@ TEST(Layout, EachEffectAddsItsOwnBuffersOnly) {
   forced.cloths[0].constant_forces = true;
   EXPECT_GE(lay_out(forced, 1).bytes - bare, 12u * 64 * 64);
   WorldShape sphere = grid_world(64);
-  sphere.spheres = 1;
+  sphere.colliders[0] = 1;
   EXPECT_LE(lay_out(sphere, 1).bytes - bare, 128u);
 }
 

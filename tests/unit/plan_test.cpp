@@ -38,7 +38,7 @@ TEST(Plan, EveryNamedEffectShowsInThePassAndCosts) {
   WorldShape world;
   world.cloths = {grid(1024)};
   const Pass bare = compile_plan(world).passes[0];
-  world.spheres = 1;
+  world.colliders[0] = 1;
   world.cloths[0].drag = world.cloths[0].spring_damping = true;
   const Pass more = compile_plan(world).passes[0];
   EXPECT_EQ(more.kernel, "grid_seed12_float32 +spring_damping +drag +spheres");

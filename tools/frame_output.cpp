@@ -39,7 +39,8 @@ bool FrameOutput::due(uint64_t frame) {
   if (frame == 0 || every_ == 0) return true;
   // A hair of a frame early counts: multiples of `every` and of the frame both carry rounding.
   const double time = (double(frame) + 1e-6) * frame_seconds_;
-  const auto intervals = uint64_t(std::min(time / every_, 9e18));
+  if (every_ <= frame_seconds_) return true;
+  const auto intervals = uint64_t(time / every_);
   if (intervals <= intervals_) return false;
   intervals_ = intervals;
   return true;

@@ -120,6 +120,13 @@ class Program {
     run->add_option("--format", run_.format, "Formats of the frames: obj,ply; default obj");
     run->add_option("--final", run_.final_file, "CSV file for the final positions and velocities");
     run->add_option("--report", run_.report, "JSON file for the figures of the run");
+    // An empty value is a variable that was not set, not an option that was not given.
+    for (CLI::Option* option : run->get_options()) {
+      if (option->get_items_expected_max() == 0) continue;
+      option->check([](const std::string& value) {
+        return value.empty() ? std::string("the value is empty") : std::string();
+      });
+    }
   }
 
   void add_scene_commands() {

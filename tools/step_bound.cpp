@@ -9,10 +9,12 @@ namespace weft::tools {
 
 uint64_t fewest_substeps(double frame, double bound) {
   if (!std::isfinite(bound)) return 1;
-  auto count = uint64_t(std::clamp(std::ceil(frame / bound), 1.0, 9e18));
-  // The division may round to either side; the comparison is the one that a step makes.
-  while (frame / double(count) > bound) ++count;
-  while (count > 1 && frame / double(count - 1) <= bound) --count;
+  const double quotient = std::ceil(frame / bound);
+  if (!(quotient < 1e15)) return uint64_t(1e15);  // no count that anyone could run
+  auto count = uint64_t(std::max(quotient, 1.0));
+  // The division may have rounded to either side; the comparison is the one that a step makes.
+  if (frame / double(count) > bound) ++count;
+  if (count > 1 && frame / double(count - 1) <= bound) --count;
   return count;
 }
 

@@ -25,7 +25,7 @@ struct Mass {
   enum class Kind : uint8_t {
     total,      ///< `value` kg, shared equally by all vertices
     density,    ///< `value` kg/m^2, a third of each triangle's mass to each of its vertices
-    per_vertex  ///< `values`, kg, one per vertex, each > 0
+    per_vertex  ///< `values`, kg, one per vertex, each > 0; infinite: the vertex never moves
   };
   Kind kind = Kind::total;
   double value = 1.0;  ///< > 0

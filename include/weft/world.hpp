@@ -181,7 +181,9 @@ struct Mechanics {
 
 /// Cloths and colliders that share time, gravity and precision. Used by one thread at a time;
 /// different worlds of one context may be used by different threads. Inputs change between steps.
-/// Every failing call leaves the world as it was. Vertices are numbered as the caller gave them.
+/// Every failing call leaves the world as it was, but for a step that ends in `diverged`: the world
+/// is then readable and of no further use. A world holds at most 2^30 particles. Vertices are
+/// numbered as the caller gave them.
 class WEFT_API World {
  public:
   World() noexcept = default;

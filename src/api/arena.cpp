@@ -20,7 +20,8 @@ plan::ClothShape shape_of(const ClothRecord& cloth) {
   if (fabric.is_grid) {
     shape.kind = static_cast<KernelKind>(fabric.grid.stencil);
     const int reach = scene::stencil_reach(fabric.grid.stencil);
-    shape.guard = reach * static_cast<int>(fabric.grid.columns) + reach;
+    const int columns = fabric.grid.rows > 1 ? static_cast<int>(fabric.grid.columns) : 0;
+    shape.guard = reach * columns + reach;
   } else {
     shape.kind =
         fabric.rows.stiffness.empty() ? KernelKind::mesh_uniform : KernelKind::mesh_per_spring;
@@ -94,14 +95,14 @@ class ArenaOf final : public Arena {
     return backend_.count_not_finite(frame, at<int32_t>(layout_.scratch), count);
   }
 
-  Status accelerations(double dt_before, int threads) override {
+  Status accelerations(const ArenaInput& in, double dt_before, int threads) override {
     Frame<T> frame{};
     frame.sim = sim_;
     frame.threads = threads;
     frame.substeps = 1;
     frame.position_form = position_form_;
     frame.dt = frame.dt_before = dt_before;
-    frame.gravity = gravity_;
+    frame.gravity = narrow<T>(in.world->gravity);
     return backend_.accelerations(frame);
   }
 
@@ -173,14 +174,13 @@ class ArenaOf final : public Arena {
 
   Frame<T> make_frame(const ArenaInput& in, const FrameInput& input) {
     position_form_ = in.world->form == Form::position;
-    gravity_ = narrow<T>(in.world->gravity);
     Frame<T> frame{};
     frame.sim = sim_;
     frame.substeps = input.substeps;
     frame.position_form = position_form_;
     frame.dt = input.dt;
     frame.dt_before = input.dt_before;
-    frame.gravity = gravity_;
+    frame.gravity = narrow<T>(in.world->gravity);
     frame.threads = input.threads;
     return frame;
   }
@@ -188,7 +188,6 @@ class ArenaOf final : public Arena {
   /// Parameters of the cloths; those that have moved since the last upload no longer start.
   Status upload_params(const ArenaInput& in) {
     position_form_ = in.world->form == Form::position;
-    gravity_ = narrow<T>(in.world->gravity);
     fill_params(in, params_);
     return backend_.to_device(at<ClothParams<T>>(layout_.cloths), params_.data(),
                               params_.size() * sizeof(ClothParams<T>));
@@ -216,7 +215,6 @@ class ArenaOf final : public Arena {
   plan::Layout layout_;
   char* memory_ = nullptr;
   Simulation<T> sim_{};
-  Vec3<T> gravity_{};
   bool position_form_ = false;
 
   std::vector<ClothParams<T>> params_;

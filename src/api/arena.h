@@ -42,7 +42,7 @@ class Arena {
   virtual Status save(const ArenaInput&) = 0;
   virtual Status frame(const ArenaInput&, const FrameInput&) = 0;
   virtual Status count_not_finite(int threads, int32_t& count) = 0;
-  virtual Status accelerations(double dt_before, int threads) = 0;
+  virtual Status accelerations(const ArenaInput&, double dt_before, int threads) = 0;
   /// Of one cloth in caller order; positions are local. Accelerations: after accelerations().
   virtual Status read(const ClothRecord&, StateArray, std::vector<double3>& out) = 0;
   virtual uint64_t bytes() const = 0;

@@ -19,7 +19,15 @@ double3 start_displacement(const ClothRecord& cloth, uint32_t v, double dt, doub
     const PinMotion& m = cloth.motions[static_cast<size_t>(pin->motion)];
     return minus(motion_offset(m, time), motion_offset(m, time - dt));
   }
+  if (std::isinf(cloth.cooked().mass_of(v))) return {0, 0, 0};
   return times(dt, cloth.velocities.empty() ? cloth.velocity : cloth.velocities[v]);
+}
+
+/// Where the motion of a pin has taken it by `time`.
+double3 start_offset(const ClothRecord& cloth, uint32_t v, double time) {
+  const PinRecord* pin = cloth.pin_of(v);
+  if (!pin || pin->motion < 0) return {0, 0, 0};
+  return motion_offset(cloth.motions[static_cast<size_t>(pin->motion)], time);
 }
 
 template <class T>
@@ -68,7 +76,8 @@ class ImageFiller {
         d.set(i, narrow<T>(cloth.saved_d[size_t(i - cloth.first)]));
         continue;
       }
-      const double3 at = minus(start_position(cloth, v), cloth.origin);
+      const double3 at =
+          plus(minus(start_position(cloth, v), cloth.origin), start_offset(cloth, v, time));
       const double3 by = start_displacement(cloth, v, dt_before, time);
       x.set(i, narrow<T>(at));
       d.set(i, narrow<T>(position_form ? minus(at, by) : by));
@@ -173,7 +182,8 @@ template <class T>
 void fill_grid_constants(const scene::CookedFabric& fabric, ClothParams<T>& p) {
   const scene::GridShape& grid = fabric.grid;
   const scene::StencilTable& table = scene::stencil_table(grid.stencil);
-  p.columns = static_cast<int>(grid.columns);
+  // A single row has nothing above or below: its loads may stay where they are.
+  p.columns = grid.rows > 1 ? static_cast<int>(grid.columns) : 0;
   for (int k = 0; k < table.count; ++k) {
     const scene::StencilOffset o = table.offset[k];
     p.stiffness[k] = static_cast<T>(scene::stencil_stiffness(o, fabric.stiffness));

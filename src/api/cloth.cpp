@@ -48,7 +48,7 @@ void check_vertex(uint32_t vertex, uint32_t count, const char* field, uint32_t i
 }
 
 void set_pose(const Pose& pose, ClothRecord& cloth) {
-  rotation_rows(pose.axis, pose.degrees, "pose.axis", cloth.rotation);
+  rotation_rows(pose.axis, pose.degrees, "pose", cloth.rotation);
   cloth.translate = checked_vector(pose.translate, "pose.translate");
 }
 

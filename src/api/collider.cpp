@@ -91,7 +91,7 @@ ColliderRecord record_of(const BoxDesc& desc) {
   scene::check_positive(desc.half.z, "box.half.z");
   r.half = desc.half;
   double3 rows[3];
-  rotation_rows(desc.axis, desc.degrees, "box rotation", rows);
+  rotation_rows(desc.axis, desc.degrees, "box", rows);
   // The edges are the columns of the rotation.
   r.edges[0] = {rows[0].x, rows[1].x, rows[2].x};
   r.edges[1] = {rows[0].y, rows[1].y, rows[2].y};

@@ -13,9 +13,9 @@ double3 checked_vector(const double3& v, const char* field) {
   return v;
 }
 
-void rotation_rows(const double3& axis, double degrees, const char* field, double3* rows) {
-  checked_vector(axis, field);
-  scene::check_finite(degrees, field);
+void rotation_rows(const double3& axis, double degrees, const char* of, double3* rows) {
+  checked_vector(axis, text("%s.axis", of).c_str());
+  scene::check_finite(degrees, text("%s.degrees", of).c_str());
   if (degrees == 0) {
     rows[0] = {1, 0, 0};
     rows[1] = {0, 1, 0};
@@ -25,9 +25,9 @@ void rotation_rows(const double3& axis, double degrees, const char* field, doubl
   const double size = length(axis);
   if (!(size > 0) || !std::isfinite(size)) {
     throw InvalidInput(
-        text("%s turns about (%g, %g, %g) (that is no direction) give an axis of "
-             "ordinary length, or 0 degrees",
-             field, axis.x, axis.y, axis.z));
+        text("%s.axis is (%g, %g, %g) (it has no direction) give an axis of ordinary length, "
+             "or 0 degrees",
+             of, axis.x, axis.y, axis.z));
   }
   const double x = axis.x / size, y = axis.y / size, z = axis.z / size;
   const auto [s, c] = scene::sine_cosine_degrees(degrees);

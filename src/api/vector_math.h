@@ -23,8 +23,9 @@ inline double3 outer(const double3& a, const double3& b) {
 inline double length(const double3& a) { return std::sqrt(inner(a, a)); }
 
 /// Rows of the matrix that rotates by `degrees` about `axis`; exact for quarter turns about an axis
-/// of coordinates. Throws InvalidInput for a zero axis, unless nothing is turned.
-void rotation_rows(const double3& axis, double degrees, const char* field, double3* rows);
+/// of coordinates. `of` names the
+/// description in messages. Throws InvalidInput for a zero axis, unless nothing is turned.
+void rotation_rows(const double3& axis, double degrees, const char* of, double3* rows);
 /// Throws InvalidInput when a component is not finite.
 double3 checked_vector(const double3&, const char* field);
 

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 #include "api/vector_math.h"
@@ -28,9 +29,16 @@ void check_world(const WorldDesc& desc) {
 
 inline namespace v0 {
 
+/// Tells the ids of worlds apart; comes round after 65536 worlds.
+static uint32_t next_serial() {
+  static std::atomic<uint32_t> last{0};
+  return ++last & 0xffff;
+}
+
 World::Impl::Impl(std::shared_ptr<api::ContextState> owner, const WorldDesc& world_desc)
     : context(std::move(owner)),
       desc(world_desc),
+      serial(next_serial()),
       arena(api::make_arena(desc.precision, *context)) {
   events.reserve(16);
 }
@@ -53,8 +61,8 @@ ClothId World::Impl::next_cloth_id() {
     if (!cloths[slot]) return {slot, ++generations[slot]};
   }
   cloths.emplace_back();
-  generations.push_back(1);
-  return {static_cast<uint32_t>(cloths.size() - 1), 1};
+  generations.push_back((serial << 16) + 1);
+  return {static_cast<uint32_t>(cloths.size() - 1), generations.back()};
 }
 
 World::World(World&& other) noexcept : impl_(other.impl_) { other.impl_ = nullptr; }
@@ -113,7 +121,7 @@ static Result<ColliderId> add_collider(World::Impl* impl, const Desc& desc) {
     while (slot < impl->colliders.size() && impl->colliders[slot].id) ++slot;
     if (slot == impl->colliders.size()) {
       impl->colliders.emplace_back();
-      impl->collider_generations.push_back(0);
+      impl->collider_generations.push_back(impl->serial << 16);
     }
     id = {static_cast<uint32_t>(slot), ++impl->collider_generations[slot]};
     record.id = id;
@@ -153,6 +161,7 @@ Status World::set_gravity(double3 gravity) noexcept {
   if (!impl_) return Status::invalid_handle;
   return api::guarded(*impl_->context, [&] {
     impl_->desc.gravity = api::checked_vector(gravity, "gravity");
+    impl_->accelerations_known = false;
     impl_->dirty |= impl_->starting;  // the start displacements depend on it
     return Status::ok;
   });

@@ -25,9 +25,12 @@ static Status read_cloth(World::Impl* impl, ClothId id, api::StateArray which, U
   return api::guarded(*impl->context, [&] {
     std::vector<double3> values;
     Status status = impl->ensure_readable();
-    if (status == Status::ok && which == api::StateArray::acceleration) {
+    if (status == Status::ok && which == api::StateArray::acceleration &&
+        !impl->accelerations_known) {
       const double dt = impl->dt_before > 0 ? impl->dt_before : impl->built_dt;
-      status = impl->arena->accelerations(dt, static_cast<int>(impl->context->threads));
+      status =
+          impl->arena->accelerations(*impl->built, dt, static_cast<int>(impl->context->threads));
+      impl->accelerations_known = status == Status::ok;
     }
     if (status == Status::ok && cloth->cooked().vertices > 0) {
       status = impl->arena->read(*cloth, which, values);

@@ -46,14 +46,17 @@ struct World::Impl {
   std::shared_ptr<api::ContextState> context;
   WorldDesc desc;
   std::vector<std::unique_ptr<api::ClothRecord>> cloths;  ///< by slot; null: free
-  std::vector<uint32_t> generations;                      ///< of the cloth slots
-  std::vector<ClothId> order;                             ///< by creation
-  std::vector<api::ColliderRecord> colliders;             ///< by slot; null id: free
+  uint32_t
+      serial;  ///< in the upper half of every generation: ids of other worlds name nothing here
+  std::vector<uint32_t> generations;           ///< of the cloth slots
+  std::vector<ClothId> order;                  ///< by creation
+  std::vector<api::ColliderRecord> colliders;  ///< by slot; null id: free
   std::vector<uint32_t> collider_generations;
 
   std::unique_ptr<api::Arena> arena;
   std::optional<api::ArenaInput> built;  ///< what the arena was made for
   bool dirty = true;                     ///< the arena must be made anew
+  bool accelerations_known = false;      ///< the arena holds those of the present
   bool starting = false;                 ///< some cloth on the device has not moved yet
   double built_dt = 0;                   ///< step that the start displacements belong to
   uint32_t built_substeps = 0;

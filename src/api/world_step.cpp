@@ -28,11 +28,14 @@ class Stopwatch {
 constexpr double shortest_substep = 1e-15;
 constexpr double most_substeps = 1e9;
 
-/// The fewest substeps of a frame with dt / n <= limit.
+/// The fewest substeps of a frame with dt / n <= limit; beyond most_substeps the size is all that
+/// counts.
 double fewest_substeps(double dt, double limit) {
   double n = std::max(1.0, std::ceil(dt / limit));
-  while (dt / n > limit) n += 1;
-  while (n > 1 && dt / (n - 1) <= limit) n -= 1;
+  if (!(n <= most_substeps)) return n;
+  // The division may have rounded to either side.
+  if (dt / n > limit) n += 1;
+  if (n > 1 && dt / (n - 1) <= limit) n -= 1;
   return n;
 }
 
@@ -63,6 +66,12 @@ api::ArenaInput World::Impl::arena_input(uint32_t substeps) {
     motions += static_cast<int>(cloth->motions.size());
   }
   in.shape.motions = static_cast<uint32_t>(motions);
+  // Particle indices are 32 bits wide, guard bands included.
+  const uint64_t elements = in.shape.blocks() * block_size;
+  if (elements > (uint64_t(1) << 30) + block_size * in.cloths.size()) {
+    throw InvalidInput(text("a world of %llu particles (it holds at most 2^30) use several worlds",
+                            static_cast<unsigned long long>(elements)));
+  }
   for (const api::ColliderRecord& c : colliders) {
     if (c.id) ++in.shape.colliders[static_cast<int>(c.shape)];
   }
@@ -79,6 +88,7 @@ Status World::Impl::ensure_built(double dt, uint32_t substeps) {
     built.reset();
   }
   dirty = true;
+  accelerations_known = false;
   api::ArenaInput in = arena_input(substeps);
   const double before = dt_before > 0 ? dt_before : dt;
   const Status status = arena->build(in, before, time, static_cast<int>(context->threads));
@@ -145,7 +155,7 @@ Result<uint32_t> World::substeps(double dt) noexcept {
     const Stability bound = impl_->tightest();
     double n = impl_->desc.substeps;
     if (n == 0) n = fewest_substeps(dt, impl_->desc.safety * bound.dt_bound);
-    if (n > most_substeps) {
+    if (!(n <= most_substeps)) {
       throw InvalidInput(
           text("a step of %g s takes %.3g substeps (at most 1e9) step less far at once", dt, n));
     }
@@ -203,6 +213,7 @@ Status World::Impl::run(double dt, uint32_t substeps) {
   Status status = ensure_built(dt / substeps, substeps);
   if (status != Status::ok) return status;
   const double sub_dt = dt / substeps;
+  accelerations_known = false;
   const int threads = static_cast<int>(context->threads);
   {
     Stopwatch watch(phases[api::phase_inputs_and_advance].seconds);

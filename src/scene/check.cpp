@@ -2,6 +2,7 @@
 
 #include <Eigen/Dense>
 #include <cmath>
+#include <limits>
 
 #include "base/message_host.h"
 
@@ -11,6 +12,9 @@ void check_finite(double value, const char* field) {
   if (!std::isfinite(value)) {
     throw InvalidInput(
         text("%s is %g (it must be a finite number) give a finite value", field, value));
+  }
+  if (std::fabs(value) > largest_value) {
+    throw InvalidInput(text("%s is %g (numbers reach to 1e18) give a smaller one", field, value));
   }
 }
 void check_not_negative(double value, const char* field) {
@@ -55,11 +59,13 @@ void check_material(const Material& m, uint32_t vertices) {
              m.mass.values.count, vertices));
   }
   for (uint32_t v = 0; v < vertices; ++v) {
-    if (!(m.mass.values[v] > 0) || !std::isfinite(m.mass.values[v])) {
+    const double mass = m.mass.values[v];
+    const bool immobile = mass == std::numeric_limits<double>::infinity();
+    if (!immobile && !(mass >= smallest_mass && mass <= largest_value)) {
       throw InvalidInput(
-          text("mass of vertex %u is %g (a free vertex needs a finite mass > 0) give a "
-               "positive mass, and pin the vertex if it shall not move",
-               v, m.mass.values[v]));
+          text("mass of vertex %u is %g (a mass lies in 1e-18 to 1e18 kg, or is infinite for a "
+               "vertex that never moves) give a positive mass",
+               v, mass));
     }
   }
 }
@@ -135,9 +141,9 @@ static void set_masses_by_density(double density, CookedFabric& fabric) {
   }
   for (uint32_t v = 0; v < fabric.vertices; ++v) {
     if (!touched[v]) fabric.masses[v] = sum / members;
-    if (!(fabric.masses[v] > 0)) {
+    if (!(fabric.masses[v] >= smallest_mass)) {
       throw InvalidInput(
-          text("vertex %u has no mass (all its triangles have zero area) give masses "
+          text("vertex %u has no mass to speak of (its triangles have no area) give masses "
                "per vertex or mend the mesh",
                v));
     }
@@ -155,6 +161,11 @@ void set_masses(const Mass& mass, CookedFabric& fabric) {
   switch (mass.kind) {
     case Mass::Kind::total:
       fabric.mass = fabric.vertices > 0 ? mass.value / fabric.vertices : mass.value;
+      if (fabric.mass < smallest_mass) {
+        throw InvalidInput(
+            text("mass is %g for %u vertices (each gets less than 1e-18 kg) give more", mass.value,
+                 fabric.vertices));
+      }
       return;
     case Mass::Kind::density:
       return set_masses_by_density(mass.value, fabric);

@@ -7,6 +7,8 @@ namespace weft::scene {
 
 /// Largest coordinate: squares of distances stay far from overflow in float.
 constexpr double largest_coordinate = 1e9;
+/// Largest of all other numbers, and the range of masses: products stay within float.
+constexpr double largest_value = 1e18, smallest_mass = 1e-18;
 
 void check_finite(double value, const char* field);
 void check_not_negative(double value, const char* field);

@@ -55,6 +55,7 @@ Energies energies(const EnergyInput& in) {
   for (uint32_t i = 0; i < in.fabric.vertices; ++i) {
     if (in.pinned && (*in.pinned)[i]) continue;
     const double m = in.fabric.mass_of(i);
+    if (std::isinf(m)) continue;  // as a pin
     const double3 &v = in.v[i], &x = in.x[i], &g = in.gravity;
     sum.kinetic += 0.5 * m * (v.x * v.x + v.y * v.y + v.z * v.z);
     sum.potential -= m * (g.x * x.x + g.y * x.y + g.z * x.z);

@@ -21,10 +21,14 @@ class BoundSearch {
     } else {
       over_rows();
     }
-    const double k = stiffness_, c = damping_ + drag_;
-    if (k > 0) return {(std::sqrt(c * c + 4 * k) - c) / k, a_, b_};
-    if (c > 0) return {2 / c, a_, b_};
-    return {std::numeric_limits<double>::infinity(), 0, 0};
+    const double root_k = std::sqrt(stiffness_), c = damping_.value + drag_.value;
+    if (root_k == 0 && c == 0) return {std::numeric_limits<double>::infinity(), 0, 0};
+    // The root of dt^2 K + 2 dt C = 4 without cancellation or overflow.
+    const double dt = 4 / (c + std::hypot(c, 2 * root_k));
+    // Named is what alone would bound the step most.
+    if (root_k >= c) return {dt, a_, b_};
+    const Worst& worst = damping_.value >= drag_.value ? damping_ : drag_;
+    return {dt, worst.a, worst.b};
   }
 
  private:
@@ -42,17 +46,19 @@ class BoundSearch {
       a_ = a;
       b_ = b;
     }
-    damping_ = std::max(damping_, input_.spring_damping * (valence_a * wa + valence_b * wb));
+    const double c = input_.spring_damping * (valence_a * wa + valence_b * wb);
+    if (c > damping_.value) damping_ = {c, a, b};
   }
 
   void vertex(uint32_t v) {
     const double c = input_.lagged_drag * inverse_mass(v);
-    if (c > drag_) {
-      drag_ = c;
-      if (stiffness_ == 0) a_ = b_ = v;
-    }
+    if (c > drag_.value) drag_ = {c, v, v};
   }
 
+  struct Worst {
+    double value = 0;
+    uint32_t a = 0, b = 0;
+  };
   struct Sum {
     double stiffness = 0, valence = 0;
   };
@@ -139,7 +145,8 @@ class BoundSearch {
 
   const CookedFabric& fabric_;
   const BoundInput& input_;
-  double stiffness_ = 0, damping_ = 0, drag_ = 0;
+  double stiffness_ = 0;
+  Worst damping_, drag_;
   uint32_t a_ = 0, b_ = 0;
 };
 

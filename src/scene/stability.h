@@ -12,8 +12,9 @@ namespace weft::scene {
 /// the edge matrix: rigorous at every deformation for the positive part of the stiffness,
 /// linearly).
 struct Bound {
-  double dt;      ///< infinite when nothing bounds it
-  uint32_t a, b;  ///< the spring with the largest K; a == b: a vertex bound by its drag alone
+  double dt;  ///< infinite when nothing bounds it
+  uint32_t a,
+      b;  ///< what bounds it most: a spring, by stiffness or damping; a == b: a vertex's drag
 };
 
 struct BoundInput {

@@ -156,7 +156,7 @@ TEST(BadMasses, CountAndElementsAreChecked) {
   const std::vector<double> two{1, 1};
   network.material.mass.values = two;
   expect_refusal(test, test.context().cook(network).status(), {"mass", "2", "3"});
-  for (double bad : not_positive) {
+  for (double bad : {0.0, -1.0, -infinity, not_a_number, 1e-320, 1e19}) {
     const std::vector<double> masses{1, bad, 1};
     network.material.mass.values = masses;
     expect_refusal(test, test.context().cook(network).status(), {"mass", "1"});

@@ -170,6 +170,24 @@ TEST(BadPlane, EveryFieldIsChecked) {
     }
 }
 
+TEST(BadStep, ACountOfSubstepsThatNobodyCouldRunIsRefusedAtOnce) {
+  for (const double drag : {1e10, 1e18}) {
+    TestWorld test;
+    add_particles(test, {{0, 5, 0}}, {}, 1, drag, weft::DragModel::lagged);
+    expect_refused_unchanged(test, {"substeps", "1e9"}, [&] { return test.world().step(1e3); });
+    EXPECT_FALSE(test.world().substeps(1e15));
+  }
+}
+
+TEST(BadIds, OfAnotherWorldNameNothing) {
+  TestWorld first, second;
+  const weft::ClothId a = add_particles(first, {{0, 5, 0}});
+  const weft::ClothId b = add_particles(second, {{0, 5, 0}});
+  EXPECT_NE(a, b);
+  EXPECT_EQ(second.world().destroy_cloth(a), weft::Status::invalid_handle);
+  EXPECT_TRUE(second.world().valid(b));
+}
+
 TEST(BadCollider, DegenerateShapesAreRefused) {
   TestWorld test;
   add_particles(test, {{0, 5, 0}});
@@ -194,7 +212,7 @@ TEST(BadCollider, DegenerateShapesAreRefused) {
   weft::BoxDesc turned;
   turned.axis = {0, 0, 0};
   turned.degrees = 10;
-  expect_refused_unchanged(test, {"box rotation"},
+  expect_refused_unchanged(test, {"box.axis"},
                            [&] { return test.world().create_box(turned).status(); });
 }
 

@@ -23,6 +23,42 @@ void expect_bound(double actual, double expected) {
   EXPECT_NEAR(actual, expected, 1e-9 * expected);
 }
 
+/// Two unit masses, the first pinned, one spring.
+weft::Stability bound_of_pair(double stiffness, double spring_damping, double lagged_drag = 0) {
+  TestWorld test;
+  const std::vector<weft::double3> x{{0, 0, 0}, {1, 0, 0}};
+  const weft::Spring spring{0, 1};
+  const weft::Pin pin{0};
+  weft::NetworkDesc network;
+  network.positions = weft::View<weft::double3>(x);
+  network.springs = weft::View<weft::Spring>(&spring, 1);
+  network.material.stiffness = stiffness;
+  network.material.mass.value = 2;
+  weft::ClothDesc cloth;
+  cloth.fabric = test.take(test.context().cook(network));
+  cloth.pins = weft::View<weft::Pin>(&pin, 1);
+  cloth.spring_damping = spring_damping;
+  cloth.drag = lagged_drag;
+  cloth.drag_model = weft::DragModel::lagged;
+  test.take(test.world().create_cloth(cloth));
+  return test.world().stability();
+}
+
+TEST(Bound, DampingFarAboveStiffnessKeepsItsDigits) {
+  for (const double b : {1e4, 1e6, 1e7, 1e12, 1e18}) {
+    EXPECT_NEAR(bound_of_pair(1e-3, b).dt_bound * b / 2, 1, 1e-9) << b;
+  }
+}
+
+TEST(Bound, NamesWhatSetsIt) {
+  const weft::Stability drag = bound_of_pair(1, 0, 1e3);
+  EXPECT_EQ(drag.a, 1u);
+  EXPECT_EQ(drag.b, 1u);
+  const weft::Stability damping = bound_of_pair(0, 1e3, 1);
+  EXPECT_EQ(damping.a, 0u);
+  EXPECT_EQ(damping.b, 1u);
+}
+
 TEST(Bound, SingleSpringIsExact) {
   for (weft::Precision precision : {weft::Precision::float32, weft::Precision::float64})
     expect_bound(bound_of(AnchoredMass{}, precision), 0.2);

@@ -110,9 +110,9 @@ WEFT_HD Vec3<T> way_out(const Box<T>& b, Vec3<T> by, Vec3<T> x) {
   return select(depth.x <= depth_yz, out_x, yz);
 }
 
-/// The part of `push` that the velocity takes, as a factor in [0, 1]: all of it, unless the particle
-/// would then leave along the normal faster than it came (`slip`, its displacement relative to the
-/// surface's). So one that rests deep inside is moved out but not thrown out (hard case 46).
+/// The part of `push` that the velocity takes, as a factor in [0, 1]: all of it, unless a particle
+/// would then leave along the normal faster than it came (`slip`: its displacement relative to the
+/// surface's). One that rests deep inside is moved out but not thrown out (hard case 46).
 template <class T>
 WEFT_HD T impact_share(Vec3<T> push, Vec3<T> slip) {
   const T depth2 = dot(push, push);

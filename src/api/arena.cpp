@@ -18,6 +18,10 @@ plan::ClothShape shape_of(const ClothRecord& cloth) {
   shape.drag = cloth.drag > 0;
   shape.spring_damping = cloth.spring_damping > 0;
   if (fabric.is_grid) {
+    static_assert(int(KernelKind::seed12) == int(Stencil::seed12) &&
+                  int(KernelKind::classic12) == int(Stencil::classic12) &&
+                  int(KernelKind::quad4) == int(Stencil::quad4) &&
+                  int(KernelKind::tri6) == int(Stencil::tri6));
     shape.kind = static_cast<KernelKind>(fabric.grid.stencil);
     const int reach = scene::stencil_reach(fabric.grid.stencil);
     const int columns = fabric.grid.rows > 1 ? static_cast<int>(fabric.grid.columns) : 0;

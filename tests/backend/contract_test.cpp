@@ -5,17 +5,12 @@
 
 #include <gtest/gtest.h>
 
+#include "reference/random.h"
+
 #include "backends.h"
 
 namespace weft::testing {
 namespace {
-
-uint64_t splitmix(uint64_t& state) {
-  uint64_t z = (state += 0x9E3779B97F4A7C15ull);
-  z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9ull;
-  z = (z ^ (z >> 27)) * 0x94D049BB133111EBull;
-  return z ^ (z >> 31);
-}
 
 /// The fixed tree, written as design describes it: leaves of 1024 in 32 lane sums, halved.
 template <class T>
@@ -68,11 +63,10 @@ class Contract : public ::testing::TestWithParam<NamedBackend> {
 
   template <class T>
   void expect_tree_sums() {
-    uint64_t seed = 7;
+    reference::SplitMix random(7);
     for (const int count : {0, 1, 31, 32, 33, 1023, 1024, 1025, 99999, 1 << 21}) {
       std::vector<T> values;
-      for (int i = 0; i < count; ++i)
-        values.push_back(T(double(splitmix(seed) >> 11) * 0x1p-53 - 0.3));
+      for (int i = 0; i < count; ++i) values.push_back(T(random.uniform() - 0.3));
       const DeviceArray<T> device(backend(), values);
       const DeviceArray<T> scratch(backend(), std::vector<T>(reduce_scratch(size_t(count))));
       const T expected = tree_sum(values);
@@ -92,10 +86,10 @@ TEST_P(Contract, ReduceGivesTheBitsOfTheFixedTreeForAnyThreadCount) {
 }
 
 TEST_P(Contract, ExclusiveScanSumsWhatIsBefore) {
-  uint64_t seed = 3;
+  reference::SplitMix random(3);
   for (const size_t count : {size_t(0), size_t(1), size_t(1000), size_t(300007)}) {
     std::vector<uint32_t> values;
-    for (size_t i = 0; i < count; ++i) values.push_back(uint32_t(splitmix(seed) % 1000));
+    for (size_t i = 0; i < count; ++i) values.push_back(uint32_t(random.bits() % 1000));
     std::vector<uint32_t> expected(count);
     std::exclusive_scan(values.begin(), values.end(), expected.begin(), 0u);
     const DeviceArray<uint32_t> in(backend(), values), out(backend(), values);
@@ -107,10 +101,10 @@ TEST_P(Contract, ExclusiveScanSumsWhatIsBefore) {
 }
 
 TEST_P(Contract, SortKeepsTheOrderOfEqualKeys) {
-  uint64_t seed = 9;
+  reference::SplitMix random(9);
   const size_t count = 200000;
   std::vector<uint32_t> keys, values(count), order(count);
-  for (size_t i = 0; i < count; ++i) keys.push_back(uint32_t(splitmix(seed) % 500));
+  for (size_t i = 0; i < count; ++i) keys.push_back(uint32_t(random.bits() % 500));
   std::iota(values.begin(), values.end(), 0u);
   order = values;
   std::stable_sort(order.begin(), order.end(),

@@ -11,14 +11,14 @@ class SplitMix {
  public:
   explicit SplitMix(uint64_t seed) : state_(seed) {}
 
-  /// In [0, 1), 53 bits.
-  double uniform() {
+  uint64_t bits() {
     uint64_t z = (state_ += 0x9E3779B97F4A7C15u);
     z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9u;
     z = (z ^ (z >> 27)) * 0x94D049BB133111EBu;
-    z ^= z >> 31;
-    return double(z >> 11) * 0x1p-53;
+    return z ^ (z >> 31);
   }
+  /// In [0, 1), 53 bits.
+  double uniform() { return double(bits() >> 11) * 0x1p-53; }
 
   /// Three draws in the order x, y, z, each in [-half_width, half_width).
   Vec noise(double half_width) {

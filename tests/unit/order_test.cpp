@@ -4,29 +4,24 @@
 
 #include <gtest/gtest.h>
 
+#include "reference/random.h"
+
 #include "scene/fabric.h"
 
 namespace weft::scene {
 namespace {
 
-uint64_t splitmix(uint64_t& state) {
-  uint64_t z = (state += 0x9E3779B97F4A7C15ull);
-  z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9ull;
-  z = (z ^ (z >> 27)) * 0x94D049BB133111EBull;
-  return z ^ (z >> 31);
-}
-
 /// A band graph of mixed valence whose vertices carry shuffled numbers.
 CookedFabric shuffled_network(uint32_t vertices) {
-  uint64_t seed = 5;
+  reference::SplitMix random(5);
   std::vector<uint32_t> name(vertices);
   std::iota(name.begin(), name.end(), 0u);
-  for (uint32_t i = vertices - 1; i > 0; --i) std::swap(name[i], name[splitmix(seed) % (i + 1)]);
+  for (uint32_t i = vertices - 1; i > 0; --i) std::swap(name[i], name[random.bits() % (i + 1)]);
   std::vector<double3> positions(vertices);
   for (uint32_t i = 0; i < vertices; ++i) positions[name[i]] = {double(i), 0, 0};
   std::vector<Spring> springs;
   for (uint32_t i = 0; i < vertices; ++i) {
-    const auto valence = static_cast<uint32_t>(1 + splitmix(seed) % 6);
+    const auto valence = static_cast<uint32_t>(1 + random.bits() % 6);
     for (uint32_t k = 1; k <= valence && i + k < vertices; ++k)
       springs.push_back({name[i], name[i + k]});
   }

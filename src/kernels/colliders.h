@@ -62,8 +62,9 @@ WEFT_HD bool is_inside(const Cylinder<T>& c, Vec3<T> by, Vec3<T> x) {
   const Vec3<T> from = x - (c.a + by);
   const T along = dot(from, c.axis);
   const Vec3<T> across = from - along * c.axis;
-  const bool between = (along > T(0)) & (along < c.length);
-  return between & (dot(across, across) < c.radius * c.radius);
+  const bool above = along > T(0), below = along < c.length;
+  const bool near = dot(across, across) < c.radius * c.radius;
+  return above & below & near;
 }
 /// Through the nearest of the side and the two caps; a tie goes to the side.
 template <class T>
@@ -94,7 +95,10 @@ WEFT_HD T magnitude(T a) {
 template <class T>
 WEFT_HD bool is_inside(const Box<T>& b, Vec3<T> by, Vec3<T> x) {
   const Vec3<T> p = in_box(b, by, x);
-  return (magnitude(p.x) < b.half.x) & (magnitude(p.y) < b.half.y) & (magnitude(p.z) < b.half.z);
+  const bool in_x = magnitude(p.x) < b.half.x;
+  const bool in_y = magnitude(p.y) < b.half.y;
+  const bool in_z = magnitude(p.z) < b.half.z;
+  return in_x & in_y & in_z;
 }
 /// Through the nearest face; of equally near ones the first, and its positive side.
 template <class T>

@@ -186,7 +186,8 @@ struct ParticleStages {
     lanes.each([&](int l) WEFT_LANE {
       const int i = i0 + l;
       const Vec3<T> x = load(p.x_out, i);
-      const bool hit = (sim.inverse_mass[i] > T(0)) & is_inside(shape, by, x);
+      const bool free = sim.inverse_mass[i] > T(0), inside = is_inside(shape, by, x);
+      const bool hit = free & inside;
       const Vec3<T> push = select(hit, way_out(shape, by, x), Vec3<T>{T(0), T(0), T(0)});
       const Vec3<T> d = Position ? x - load(p.x_in, i) : load(p.d_out, i);
       const Vec3<T> slip = d - carried;

@@ -167,7 +167,7 @@ struct Stats {
   uint32_t substeps_last, substeps_most;
   double dt_last, dt_least;  ///< s
   double step_seconds;       ///< wall time inside step()
-  uint32_t threads;          ///< the number the last step ran on
+  uint32_t threads;          ///< most that a step may use; small worlds run on fewer
   View<PhaseTime> phases;
   uint64_t bytes_state, bytes_total;
 };

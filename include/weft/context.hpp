@@ -43,6 +43,7 @@ class WEFT_API Context {
   Result<Fabric> cook(const GridDesc&) noexcept;
   Result<Fabric> cook(const MeshDesc&) noexcept;
   Result<Fabric> cook(const NetworkDesc&) noexcept;
+  Result<ColliderMesh> cook(const ColliderMeshDesc&) noexcept;
   Result<World> create_world(const WorldDesc& = {}) noexcept;
 
   ContextInfo info() const noexcept;

@@ -20,7 +20,7 @@
 #define WEFT_VERSION_MINOR 1
 #define WEFT_VERSION_PATCH 0
 /// Number of the binary layout of these headers; raised whenever a struct below changes.
-#define WEFT_ABI 1
+#define WEFT_ABI 2
 
 namespace weft {
 inline namespace v0 {

@@ -118,5 +118,35 @@ class WEFT_API Fabric {
   Impl* impl_ = nullptr;
 };
 
+/// Triangles that cloth collides with, of any number.
+struct ColliderMeshDesc {
+  PointView positions;       ///< m, in the mesh's own frame
+  View<uint32_t> indices;    ///< 3 per triangle, counterclockwise from outside when `closed`
+  double scale = 1;          ///< > 0; multiplies the positions, not the thickness
+  double thickness = 0.005;  ///< m, > 0: the distance that particles keep from the triangles
+  bool closed = false;  ///< has an inside; every edge then has two triangles, oppositely directed
+};
+
+/// Shared ownership of a cooked collider mesh, as Fabric. An empty one has no triangles.
+class WEFT_API ColliderMesh {
+ public:
+  ColliderMesh() noexcept = default;
+  ColliderMesh(const ColliderMesh&) noexcept;
+  ColliderMesh(ColliderMesh&&) noexcept;
+  ColliderMesh& operator=(ColliderMesh) noexcept;
+  ~ColliderMesh();
+
+  uint64_t triangle_count() const noexcept;
+  uint64_t bytes() const noexcept;  ///< that a world keeps on the device for it
+  View<Diagnostic> diagnostics() const noexcept;
+
+  struct Impl;
+  explicit ColliderMesh(Impl* cooked) noexcept : impl_(cooked) {}
+  const Impl* impl() const noexcept { return impl_; }
+
+ private:
+  Impl* impl_ = nullptr;
+};
+
 }  // namespace v0
 }  // namespace weft

@@ -51,7 +51,7 @@ struct VertexForce {
   double3 force{0, 0, 0};
 };
 
-/// Rigid placement: rotate about `axis` by `degrees`, then translate.
+/// Rigid placement: rotate about `axis` (through the origin) by `degrees`, then translate.
 struct Pose {
   double3 axis{1, 0, 0};  ///< need not be normalised; not zero unless degrees is 0
   double degrees = 0;
@@ -72,14 +72,20 @@ struct ClothDesc {
   double drag = 0;           ///< N s/m per vertex, >= 0
   DragModel drag_model = DragModel::central;
   double spring_damping = 0;  ///< N s/m along each spring, >= 0, lagged velocity
+  /// The cloth goes to sleep when no particle has been faster than `sleep_speed` (m/s; 0: it never
+  /// sleeps) for `sleep_time` seconds. Asleep, its particles stand still and cost next to nothing.
+  double sleep_speed = 0;
+  double sleep_time = 0.5;
   uint64_t user_data = 0;
 };
 
 // Colliders. A free particle inside goes to the surface along the normal; its velocity loses what
 // it came in with. `friction` is the coefficient of two-sided Coulomb friction: inside the cone a
 // particle sticks to the surface without creep, on it it slides. `velocity` (m/s) moves the
-// collider and what sticks to it. In the position form velocities follow from positions alone, so a
-// particle that was deep inside leaves with speed.
+// collider and what sticks to it until move_collider says otherwise. A particle that moves further
+// in a substep than a quarter of a collider's least half-width, relative to it, is swept: it stops
+// where it enters. In the position form velocities follow from positions alone, so a particle that
+// was deep inside leaves with speed.
 
 /// A particle at the very centre leaves along +y.
 struct SphereDesc {
@@ -120,9 +126,34 @@ struct BoxDesc {
   double friction = 0;
 };
 
+/// Triangles of a ColliderMesh, placed by `pose`. A particle stays `thickness` away from them: on
+/// the side where it is or, when the mesh is closed, outside.
+struct MeshColliderDesc {
+  ColliderMesh mesh;
+  Pose pose;
+  double3 velocity{0, 0, 0};
+  double friction = 0;
+};
+/// How a collider gets to a new place: along the way, with a velocity that contact takes up, or at
+/// once, with none.
+enum class Move : uint8_t { simulate, teleport };
+
+/// Wind on the triangles of grids and meshes. A triangle of area A and unit normal n whose vertices
+/// move at v on average feels, with u = velocity - v,
+///   (air_density A/2) (normal |u.n| (u.n) n + tangential |u_t| u_t),
+/// a third on each vertex, limited so that a step never reverses u. Still air brakes: only a zero
+/// `air_density`, or zero `normal` and `tangential`, is no effect at all.
+struct WindDesc {
+  double3 velocity{0, 0, 0};   ///< m/s
+  double air_density = 1.225;  ///< kg/m^3, >= 0
+  double normal = 1;           ///< drag coefficient across the surface, >= 0
+  double tangential = 0.02;    ///< along it, >= 0
+};
+
 /// One pass of the compiled plan, in the order it runs.
 struct PassInfo {
   const char* stage;          ///< e.g. "advance"
+  const char* per;            ///< "substep", "frame" or "call"
   const char* kernel;         ///< e.g. "grid_seed12_float32"
   uint64_t count;             ///< particles it touches
   double bytes_per_particle;  ///< moved once through memory, neighbours from cache
@@ -199,14 +230,28 @@ class WEFT_API World {
   Result<ColliderId> create_capsule(const CapsuleDesc&) noexcept;
   Result<ColliderId> create_cylinder(const CylinderDesc&) noexcept;
   Result<ColliderId> create_box(const BoxDesc&) noexcept;
+  Result<ColliderId> create_mesh(const MeshColliderDesc&) noexcept;
   Status destroy_collider(ColliderId) noexcept;
+  /// Places a collider: `pose` moves its description (spheres, planes, ... as they were given). By
+  /// `simulate` it is there at the end of the next step, on the way in between, and rests there
+  /// until it is moved again. By `teleport` it is there at once.
+  Status move_collider(ColliderId, const Pose& pose, Move = Move::simulate) noexcept;
 
   /// Pins `vertices` where `targets` (one each, world, m) say: a free vertex is pinned, a pinned
   /// one is moved; the motion runs linearly over the next step and then stops.
   Status move_pins(ClothId, View<uint32_t> vertices, PointView targets) noexcept;
   /// Frees `vertices`; each keeps the displacement of its last substep as velocity.
   Status release_pins(ClothId, View<uint32_t> vertices) noexcept;
+  /// Replaces the constant forces of a cloth; several on one vertex add up.
+  Status set_forces(ClothId, View<VertexForce>) noexcept;
   Status set_gravity(double3) noexcept;
+  /// A cloth without triangles, a network, feels no wind: the log says so.
+  Status set_wind(const WindDesc&) noexcept;
+  Status clear_wind() noexcept;
+  /// Wakes a sleeping cloth. A moving collider that reaches it, a moved or released pin, a change
+  /// of its forces, of wind or of gravity wake it too.
+  Status wake(ClothId) noexcept;
+  Result<bool> asleep(ClothId) noexcept;
 
   /// Advances by `dt` seconds (>= 0) in substeps of equal length. dt = 0 changes no bit.
   /// unstable_step: nothing was advanced. diverged: an event says which vertex.
@@ -228,6 +273,10 @@ class WEFT_API World {
   Status read_positions(ClothId, float3* out, uint32_t stride = sizeof(float3)) noexcept;
   /// d/dt + a dt/2, m/s: second order at the time of the positions. Pins: their motion.
   Status read_velocities(ClothId, double3* out) noexcept;
+  /// Unit normals of the vertices, weighted by the areas of their triangles; zero where there is no
+  /// area. Of networks: zero.
+  Status read_normals(ClothId, double3* out, uint32_t stride = sizeof(double3)) noexcept;
+  Status read_normals(ClothId, float3* out, uint32_t stride = sizeof(float3)) noexcept;
   /// Forces by mass plus gravity at the current positions, m/s^2, without drag and contact; pins:
   /// 0.
   Status read_accelerations(ClothId, double3* out) noexcept;

@@ -6,6 +6,7 @@
 
 #include "base/lanes.h"
 #include "kernels/displacement.h"
+#include "kernels/fan.h"
 #include "kernels/spring.h"
 #include "state/simulation.h"
 
@@ -15,6 +16,7 @@ namespace WEFT_BACKEND_NS {
 /// `PerSpring`: stiffness is stored with every spring, otherwise it is the cloth's.
 template <class T, bool PerSpring>
 struct MeshSprings {
+  using Fan = MeshFan<T>;
   SlicedRows<T> rows;
 
   template <int N>

@@ -1,0 +1,171 @@
+// The nearest point of a triangle mesh, exact for every point whose cell has entries.
+//
+// The list of a cell holds about the triangles below it. Four plane distances bound a triangle's
+// distance from below, exactly over the face; only triangles with the least bounds are measured.
+#pragma once
+
+#include "state/collider_mesh.h"
+
+namespace weft {
+namespace WEFT_BACKEND_NS {
+
+struct Cell {
+  int i, j, k;
+};
+
+/// Along one axis; -1 outside the grid, also for what is not a number.
+template <class T>
+WEFT_HD int cell_along(T from_low, T inverse_size, int32_t cells) {
+  const T f = from_low * inverse_size;
+  return f >= T(0) && f < T(cells) ? int(f) : -1;
+}
+template <class T>
+WEFT_HD Cell cell_of(const TriangleGrid<T>& grid, Vec3<T> x) {
+  const Vec3<T> from = x - grid.low;
+  return {cell_along(from.x, grid.inverse_cell_size, grid.cells[0]),
+          cell_along(from.y, grid.inverse_cell_size, grid.cells[1]),
+          cell_along(from.z, grid.inverse_cell_size, grid.cells[2])};
+}
+template <class T>
+WEFT_HD int clamped_along(T from_low, T inverse_size, int32_t cells) {
+  const T f = from_low * inverse_size;
+  return f >= T(0) ? (f < T(cells) ? int(f) : cells - 1) : 0;
+}
+template <class T>
+WEFT_HD Cell clamped_cell(const TriangleGrid<T>& grid, Vec3<T> x) {
+  const Vec3<T> from = x - grid.low;
+  return {clamped_along(from.x, grid.inverse_cell_size, grid.cells[0]),
+          clamped_along(from.y, grid.inverse_cell_size, grid.cells[1]),
+          clamped_along(from.z, grid.inverse_cell_size, grid.cells[2])};
+}
+
+template <class T>
+WEFT_HD int32_t cell_number(const TriangleGrid<T>& grid, Cell c) {
+  return (c.k * grid.cells[1] + c.j) * grid.cells[0] + c.i;
+}
+
+template <class T>
+WEFT_HD void plane_values(const TrianglePlanes<T>& p, Vec3<T> x, T* value) {
+  WEFT_SIMD
+  for (int i = 0; i < 4; ++i) {
+    value[i] = p.x[i] * x.x + p.y[i] * x.y + p.z[i] * x.z - p.offset[i];
+  }
+}
+
+template <class T>
+WEFT_HD Vec3<T> face_normal(const TriangleGrid<T>& grid, int32_t triangle) {
+  const TrianglePlanes<T>& p = grid.planes[triangle];
+  return {p.x[0], p.y[0], p.z[0]};
+}
+
+template <class T>
+struct Nearest {
+  int32_t triangle;  ///< -1: none, nothing is nearer than the thickness
+  int32_t feature;   ///< -1: the face; 0 to 2: an edge; 3 to 5: a corner
+  bool inside;       ///< of a closed mesh
+  Vec3<T> away;      ///< from the nearest point
+  T distance2;
+};
+
+/// From the nearest point of edge e.
+template <class T>
+WEFT_HD void nearest_on_edge(const TriangleCorners<T>& t, int e, Vec3<T> x, Nearest<T>& found) {
+  const int next = e == 2 ? 0 : e + 1;
+  const Vec3<T> edge = t.corner[next] - t.corner[e], from = x - t.corner[e];
+  const T along = dot(from, edge), length2 = dot(edge, edge);
+  const bool before = !(along > T(0)), after = along >= length2;
+  const Vec3<T> within = from - (along / length2) * edge;
+  found.away = select(before, from, select(after, x - t.corner[next], within));
+  found.distance2 = dot(found.away, found.away);
+  found.feature = before ? 3 + e : (after ? 3 + next : e);
+}
+
+/// For a point that is outside of one or two edges: the nearest point is on one of those.
+template <class T>
+WEFT_HD void nearest_on_edges(const TriangleCorners<T>& t, const T* outside, Vec3<T> x,
+                              Nearest<T>& found) {
+  const int of_two = outside[1] > outside[0] ? 1 : 0;
+  const int farthest = outside[2] > outside[of_two] ? 2 : of_two;
+  nearest_on_edge(t, farthest, x, found);
+  const int after = farthest == 2 ? 0 : farthest + 1, before = 3 - farthest - after;
+  const int other = outside[after] > outside[before] ? after : before;
+  if (!(outside[other] > T(0))) return;
+  Nearest<T> second = found;
+  nearest_on_edge(t, other, x, second);
+  if (second.distance2 < found.distance2) found = second;
+}
+
+/// On which side of a closed mesh. The pseudonormal of the nearest feature tells.
+template <class T>
+WEFT_HD bool lies_inside(const TriangleGrid<T>& grid, const Nearest<T>& near) {
+  const Vec3<T> n = near.feature < 0 ? face_normal(grid, near.triangle)
+                                     : grid.sides[near.triangle].normal[near.feature];
+  return dot(near.away, n) < T(0);
+}
+
+/// At most the squared distance to a triangle, and just that above its face.
+template <class T>
+WEFT_HD T bound2(const T* value) {
+  const T beyond = larger(larger(value[1], value[2]), larger(value[3], T(0)));
+  return value[0] * value[0] + beyond * beyond;
+}
+
+/// The triangle becomes `best` if it is nearer; of equally near ones the lower number.
+template <class T>
+WEFT_HD void measure(const TriangleGrid<T>& grid, int32_t triangle, Vec3<T> x, Nearest<T>& best) {
+  T value[4];
+  plane_values(grid.planes[triangle], x, value);
+  Nearest<T> found{triangle, -1, false, {T(0), T(0), T(0)}, bound2(value)};
+  if (found.distance2 > best.distance2) return;
+  if (larger(larger(value[1], value[2]), value[3]) > T(0)) {
+    nearest_on_edges(grid.corners[triangle], value + 1, x, found);
+  }
+  const bool tie = found.distance2 == best.distance2 && triangle < best.triangle;
+  if (found.distance2 < best.distance2 || tie) best = found;
+}
+
+template <class T>
+WEFT_HD void nearest_of_list(const TriangleGrid<T>& grid, const int32_t* list, Vec3<T> x,
+                             Nearest<T>& best) {
+  int32_t entry = 0;
+  do {
+    entry = *list++;
+    measure(grid, entry < 0 ? ~entry : entry, x, best);
+  } while (entry >= 0);
+}
+
+/// What cell_start has for the cell of x.
+template <class T>
+WEFT_HD int32_t list_of(const TriangleGrid<T>& grid, Vec3<T> x) {
+  const Cell c = cell_of(grid, x);
+  return (c.i | c.j | c.k) < 0 ? no_list : grid.cell_start[cell_number(grid, c)];
+}
+
+template <class T>
+WEFT_HD Nearest<T> nearest(const TriangleGrid<T>& grid, Vec3<T> x) {
+  const T thickness2 = grid.thickness * grid.thickness;
+  const Nearest<T> none{-1, -1, false, {T(0), T(0), T(0)}, thickness2};
+  const int32_t start = list_of(grid, x);
+  if (start == no_list) return none;
+
+  Nearest<T> best = none;
+  if (grid.closed != 0) best.distance2 = T(3e38);
+  if (start <= deep_inside) {
+    measure(grid, deep_inside - start, x, best);
+  } else {
+    nearest_of_list(grid, grid.entry_triangle + start, x, best);
+  }
+  if (best.triangle < 0) return none;
+  if (best.feature < 0) {  // from a corner the height is exact, from the offset it is rounded
+    const Vec3<T> n = face_normal(grid, best.triangle);
+    const T height = dot(n, x - grid.corners[best.triangle].corner[0]);
+    best.away = height * n;
+    best.distance2 = height * height;
+  }
+  if (grid.closed == 0) return best;
+  best.inside = start <= deep_inside || lies_inside(grid, best);
+  return best.inside || best.distance2 < thickness2 ? best : none;
+}
+
+}  // namespace WEFT_BACKEND_NS
+}  // namespace weft

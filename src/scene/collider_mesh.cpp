@@ -1,0 +1,168 @@
+#include <algorithm>
+#include <cmath>
+
+#include "base/message_host.h"
+#include "scene/check.h"
+#include "scene/collider_mesh_parts.h"
+
+namespace weft::scene {
+
+using namespace WEFT_BACKEND_NS;
+
+Point corner_of(const CookedColliderMesh& mesh, uint32_t triangle, int corner) {
+  const double* p = &mesh.corners[size_t(triangle) * 9 + size_t(corner) * 3];
+  return {p[0], p[1], p[2]};
+}
+Point normal_of(const CookedColliderMesh& mesh, uint32_t triangle) {
+  const double* p = &mesh.planes[size_t(triangle) * 16];
+  return {p[0], p[4], p[8]};
+}
+
+/// By regions of the triangle (Ericson, Real-Time Collision Detection, section 5.1.5).
+NearestPoint nearest_point(const double* corners, Point x) {
+  const Point a{corners[0], corners[1], corners[2]}, b{corners[3], corners[4], corners[5]},
+      c{corners[6], corners[7], corners[8]};
+  const Point ab = b - a, ac = c - a, ap = x - a;
+  const double d1 = dot(ab, ap), d2 = dot(ac, ap);
+  if (d1 <= 0 && d2 <= 0) return {a, 3};
+  const Point bp = x - b;
+  const double d3 = dot(ab, bp), d4 = dot(ac, bp);
+  if (d3 >= 0 && d4 <= d3) return {b, 4};
+  const double vc = d1 * d4 - d3 * d2;
+  if (vc <= 0 && d1 >= 0 && d3 <= 0) return {a + (d1 / (d1 - d3)) * ab, 0};
+  const Point cp = x - c;
+  const double d5 = dot(ab, cp), d6 = dot(ac, cp);
+  if (d6 >= 0 && d5 <= d6) return {c, 5};
+  const double vb = d5 * d2 - d1 * d6;
+  if (vb <= 0 && d2 >= 0 && d6 <= 0) return {a + (d2 / (d2 - d6)) * ac, 2};
+  const double va = d3 * d6 - d5 * d4;
+  if (va <= 0 && d4 - d3 >= 0 && d5 - d6 >= 0) {
+    return {b + ((d4 - d3) / ((d4 - d3) + (d5 - d6))) * (c - b), 1};
+  }
+  const double scale = 1 / (va + vb + vc);
+  return {a + ((vb * scale) * ab + (vc * scale) * ac), -1};
+}
+
+namespace {
+
+constexpr uint32_t most_triangles = 1u << 30;
+/// Of a triangle's longest side: what is flatter has no normal to speak of.
+constexpr double least_height = 1e-10;
+
+Point point(double3 p) { return {p.x, p.y, p.z}; }
+
+void check_indices(const ColliderMeshDesc& desc) {
+  check_view(desc.indices.data, desc.indices.count, "indices");
+  if (desc.indices.count % 3 != 0) {
+    throw InvalidInput(text("indices has %u elements (three make a triangle) give a multiple of 3",
+                            desc.indices.count));
+  }
+  if (desc.indices.count / 3 > most_triangles) {
+    throw InvalidInput(text("indices has %u elements (a mesh has at most 2^30 triangles) split it",
+                            desc.indices.count));
+  }
+  for (uint32_t i = 0; i < desc.indices.count; ++i) {
+    if (desc.indices[i] >= desc.positions.count) {
+      throw InvalidInput(
+          text("triangle %u names vertex %u (the mesh has %u) give an index below that", i / 3,
+               desc.indices[i], desc.positions.count));
+    }
+  }
+}
+
+/// Checked twice: as given, and scaled.
+std::vector<double3> scaled_positions(const ColliderMeshDesc& desc) {
+  check_positions(desc.positions, "positions");
+  check_positive(desc.scale, "scale");
+  std::vector<double3> scaled(desc.positions.count);
+  for (uint32_t v = 0; v < desc.positions.count; ++v) {
+    const double3 x = desc.positions[v];
+    scaled[v] = {x.x * desc.scale, x.y * desc.scale, x.z * desc.scale};
+  }
+  check_positions(View<double3>(scaled), "positions times scale");
+  return scaled;
+}
+
+/// Appends corners and planes; false if the triangle has no area.
+bool add_triangle(const Point (&corner)[3], CookedColliderMesh& mesh) {
+  Point edge[3];
+  double longest = 0;
+  for (int c = 0; c < 3; ++c) {
+    edge[c] = corner[(c + 1) % 3] - corner[c];
+    longest = std::max(longest, length(edge[c]));
+  }
+  const Point area = cross(edge[0], edge[1]);
+  const double twice_area = length(area);
+  if (!(twice_area > least_height * longest * longest)) return false;
+
+  const Point normal = (1 / twice_area) * area;
+  Point plane[4] = {normal, {}, {}, {}};
+  double offset[4] = {dot(normal, corner[0]), 0, 0, 0};
+  for (int c = 0; c < 3; ++c) {
+    const Point outward = cross(edge[c], normal);
+    plane[c + 1] = (1 / length(outward)) * outward;
+    offset[c + 1] = dot(plane[c + 1], corner[c]);
+  }
+  for (const Point& p : plane) mesh.planes.push_back(p.x);
+  for (const Point& p : plane) mesh.planes.push_back(p.y);
+  for (const Point& p : plane) mesh.planes.push_back(p.z);
+  mesh.planes.insert(mesh.planes.end(), offset, offset + 4);
+  for (const Point& p : corner) mesh.corners.insert(mesh.corners.end(), {p.x, p.y, p.z});
+  ++mesh.triangles;
+  return true;
+}
+
+/// Returns the vertices of the triangles that it keeps.
+std::vector<uint32_t> add_triangles(const ColliderMeshDesc& desc,
+                                    const std::vector<double3>& positions,
+                                    CookedColliderMesh& mesh) {
+  const uint32_t given = desc.indices.count / 3;
+  mesh.planes.reserve(size_t(given) * 16);
+  mesh.corners.reserve(size_t(given) * 9);
+  std::vector<uint32_t> vertex;
+  vertex.reserve(desc.indices.count);
+  uint32_t flat = 0, first_flat = 0;
+  for (uint32_t t = 0; t < given; ++t) {
+    const uint32_t v[3] = {desc.indices[3 * t], desc.indices[3 * t + 1], desc.indices[3 * t + 2]};
+    const Point corner[3] = {point(positions[v[0]]), point(positions[v[1]]),
+                             point(positions[v[2]])};
+    if (add_triangle(corner, mesh)) {
+      vertex.insert(vertex.end(), v, v + 3);
+    } else if (flat++ == 0) {
+      first_flat = t;
+    }
+  }
+  if (mesh.triangles == 0) {
+    throw InvalidInput(
+        text("the collider mesh has %u triangles and none has an area (there is nothing to collide "
+             "with) give triangles of three different points",
+             given));
+  }
+  if (flat > 0) {
+    mesh.diagnostics.push_back(
+        {Severity::warning, first_flat,
+         text("%u triangles have no area, the first is %u: they are left out", flat, first_flat)});
+  }
+  return vertex;
+}
+
+}  // namespace
+
+void cook_collider_mesh(const ColliderMeshDesc& desc, CookedColliderMesh& mesh) {
+  check_positive(desc.thickness, "thickness");
+  check_indices(desc);
+  const std::vector<double3> positions = scaled_positions(desc);
+  mesh.thickness = desc.thickness;
+  mesh.closed = desc.closed;
+  const std::vector<uint32_t> vertex = add_triangles(desc, positions, mesh);
+  if (desc.closed) {
+    const std::vector<uint32_t> welded = weld(positions);
+    std::vector<uint32_t> given(desc.indices.count);
+    for (uint32_t i = 0; i < desc.indices.count; ++i) given[i] = desc.indices[i];
+    check_closed(positions, welded, given);
+    set_sides(welded, vertex, mesh);
+  }
+  build_grid(mesh);
+}
+
+}  // namespace weft::scene

@@ -1,0 +1,47 @@
+// A triangle mesh that particles collide with: a dense grid whose cells list the triangles that can
+// be the nearest one to a point in the cell.
+#pragma once
+
+#include "base/vec3.h"
+
+namespace weft {
+
+/// Four planes dot((x, y, z), p) - offset of a triangle: its own, then those that stand on its
+/// edges (corner i to corner i + 1), positive outside. Component by component, so that one vector
+/// operation gives all four; in float a cache line.
+template <class T>
+struct alignas(64) TrianglePlanes {
+  T x[4], y[4], z[4], offset[4];
+};
+
+template <class T>
+struct TriangleCorners {
+  Vec3<T> corner[3];
+};
+
+/// Unit pseudonormals of the three edges, then of the three corners (Baerentzen & Aanaes 2005).
+template <class T>
+struct TriangleSides {
+  Vec3<T> normal[6];
+};
+
+/// Cell (i, j, k) is number (k * cells[1] + j) * cells[0] + i. Its list starts at the entry that
+/// cell_start gives, with the triangle nearest to its centre, and ends with an entry that holds the
+/// complement ~triangle. Without a list: no_list where nothing is nearer than the thickness; deep
+/// inside a closed mesh deep_inside - triangle, for some triangle nearby.
+constexpr int32_t no_list = -1, deep_inside = -2;
+template <class T>
+struct TriangleGrid {
+  Vec3<T> low;  ///< corner of cell 0
+  T cell_size, inverse_cell_size;
+  int32_t cells[3];
+  T thickness;
+  int32_t closed;  ///< 1: has an inside
+  const int32_t* cell_start;
+  const int32_t* entry_triangle;
+  const TrianglePlanes<T>* planes;
+  const TriangleCorners<T>* corners;
+  const TriangleSides<T>* sides;  ///< null unless closed
+};
+
+}  // namespace weft

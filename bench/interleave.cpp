@@ -51,4 +51,11 @@ void Interleaved::append_ratio(const std::string& name, size_t slow, size_t fast
   rows.push_back(row_of(bench_, name, "ratio", "1", ratios));
 }
 
+void Interleaved::append_difference(const std::string& name, const std::string& unit, size_t more,
+                                    size_t base, std::vector<Row>& rows) const {
+  std::vector<double> added;
+  for (size_t r = 0; r < ns_[more].size(); ++r) added.push_back(ns_[more][r] - ns_[base][r]);
+  rows.push_back(row_of(bench_, name, "added", unit, added));
+}
+
 }  // namespace weft::bench

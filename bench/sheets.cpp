@@ -29,7 +29,9 @@ SteppedWorld::SteppedWorld(Context context, Fabric fabric, const Options& option
   world_ = take(context_.create_world(desc), "world");
   ClothDesc cloth;
   cloth.fabric = fabric;
-  take(world_.create_cloth(cloth), "cloth");
+  if (options.dress) options.dress(cloth);
+  cloth_ = take(world_.create_cloth(cloth), "cloth");
+  if (options.furnish) options.furnish(context_, world_, cloth_);
   particles_ = fabric.vertex_count();
   directed_springs_ = 2 * fabric.spring_count();
   dt_ = 0.9 * substeps_ * world_.stability().dt_bound;

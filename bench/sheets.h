@@ -1,6 +1,7 @@
 // Worlds that the benchmarks step, through the public interface.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,8 @@ class SteppedWorld {
     uint32_t threads = 1;
     double stiffness = 100;
     int substeps = steps_per_call;
+    std::function<void(ClothDesc&)> dress;  ///< changes the cloth before it is made
+    std::function<void(Context&, World&, ClothId)> furnish;  ///< adds what else there is
   };
   /// A free sheet of n x n vertices on the unit square with 1 kg, at 0.9 of its stable bound.
   static SteppedWorld sheet(uint32_t n, Stencil, const Options&);
@@ -28,6 +31,9 @@ class SteppedWorld {
   void advance();
   double particle_steps() const { return double(particles_) * substeps_; }
   double spring_steps() const { return double(directed_springs_) * substeps_; }
+  World& world() { return world_; }
+  ClothId cloth() const { return cloth_; }
+  double particles() const { return double(particles_); }
   const char* isa() const { return context_.info().isa; }
 
  private:
@@ -35,6 +41,7 @@ class SteppedWorld {
 
   Context context_;
   World world_;
+  ClothId cloth_;
   double dt_ = 0;
   int substeps_ = 0;
   uint64_t particles_ = 0, directed_springs_ = 0;

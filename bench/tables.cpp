@@ -1,4 +1,5 @@
 #include "bench/bench.h"
+#include "bench/effects.h"
 #include "bench/grid.h"
 #include "bench/mesh.h"
 
@@ -15,6 +16,8 @@ const std::vector<Table>& tables() {
   static const std::vector<Table> all = {
       {"grid", "the chapter's loop (Listing 22.1) against weft; threads, precisions, sizes, meshes",
        run_grid_and_mesh},
+      {"effects", "what each effect adds, where it is used and where it has nothing to do",
+       run_effects},
       {"mesh", "gather over meshes per directed spring, against the grid's", run_mesh},
   };
   return all;

@@ -1,10 +1,13 @@
 #include "api/arena.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
+#include <limits>
 
 #include "api/arena_fill.h"
-#include "api/frame_inputs.h"
+#include "api/collider_inputs.h"
+#include "api/pin_inputs.h"
 #include "scene/grid.h"
 
 namespace weft::api {
@@ -17,6 +20,8 @@ plan::ClothShape shape_of(const ClothRecord& cloth) {
   shape.constant_forces = !cloth.forces.empty();
   shape.drag = cloth.drag > 0;
   shape.spring_damping = cloth.spring_damping > 0;
+  shape.sleeps = cloth.sleep_speed > 0;
+  shape.triangles = scene::triangle_count(fabric) > 0;
   if (fabric.is_grid) {
     static_assert(int(KernelKind::seed12) == int(Stencil::seed12) &&
                   int(KernelKind::classic12) == int(Stencil::classic12) &&
@@ -47,7 +52,7 @@ template <class T>
 class ArenaOf final : public Arena {
  public:
   explicit ArenaOf(ContextState& context)
-      : context_(context), backend_(*context.backend), inputs_(backend_) {}
+      : context_(context), backend_(*context.backend), colliders_(backend_), pins_(backend_) {}
   ~ArenaOf() override { release(); }
 
   Status build(const ArenaInput& in, double dt_before, double time, int threads) override {
@@ -67,36 +72,56 @@ class ArenaOf final : public Arena {
       std::memset(memory_, 0, layout_.bytes);
     }
     fill_image<T>(in, layout_, step(), dt_before, time, image);
-    inputs_.prepare(in, layout_, image);
+    fill_survey_ranges(in, layout_, image);
+    colliders_.prepare(in, layout_, image);
+    pins_.prepare(in, layout_, image);
     if (!mirror.empty()) status = backend_.to_device(memory_, image, layout_.bytes);
     if (status != Status::ok) return status;
 
     params_.resize(in.cloths.size());
+    found_.resize(in.shape.survey_groups());
+    for (ClothRecord* cloth : in.cloths) {
+      cloth->settling = substeps_to_settle;
+      cloth->forces_changed = false;
+    }
     status = upload_params(in);
-    if (status != Status::ok || in.world->start == Start::lagged) return status;
+    if (status != Status::ok) return status;
+    Frame<T> frame = make_frame(in, {1, dt_before, dt_before, time, threads});
+    frame.sim.activity = nullptr;  // nobody sleeps through these
     const bool any =
         std::any_of(in.cloths.begin(), in.cloths.end(), [](auto* c) { return !c->moved; });
-    if (!any) return status;
-    Frame<T> frame = make_frame(in, {1, dt_before, dt_before, time, threads});
-    status = backend_.start(frame);
-    sim_ = frame.sim;
-    return status;
+    if (any && in.world->start != Start::lagged) {
+      status = backend_.start(frame);
+      sim_ = frame.sim;
+      sim_.activity = views_of<T>(layout_, plan_, in.shape, memory_).activity;
+      if (status != Status::ok) return status;
+    }
+    status = backend_.survey(frame);
+    return status == Status::ok ? read_survey(in) : status;
   }
 
   Status frame(const ArenaInput& in, const FrameInput& input) override {
-    Status status = inputs_.upload(in, input, layout_, memory_);
+    Status status = colliders_.upload(in, input, layout_, memory_);
+    if (status == Status::ok) status = pins_.upload(in, input, layout_, memory_);
+    if (status == Status::ok) status = upload_forces(in);
     if (status != Status::ok) return status;
     Frame<T> frame = make_frame(in, input);
+    frame.by_block = colliders_.by_block();
     status = backend_.frame(frame);
     sim_ = frame.sim;
-    return status;
+    for (ClothRecord* cloth : in.cloths) {
+      cloth->settling = std::max(0, cloth->settling - input.substeps);
+    }
+    return status == Status::ok ? read_survey(in) : status;
   }
 
-  Status count_not_finite(int threads, int32_t& count) override {
+  Status normals(const ArenaInput& in, int threads) override {
+    unsettle(in);
     Frame<T> frame{};
     frame.sim = sim_;
     frame.threads = threads;
-    return backend_.count_not_finite(frame, at<int32_t>(layout_.scratch), count);
+    frame.position_form = position_form_;
+    return backend_.normals(frame);
   }
 
   Status accelerations(const ArenaInput& in, double dt_before, int threads) override {
@@ -107,6 +132,9 @@ class ArenaOf final : public Arena {
     frame.position_form = position_form_;
     frame.dt = frame.dt_before = dt_before;
     frame.gravity = narrow<T>(in.world->gravity);
+    frame.wind = wind_of(in);
+    frame.sim.activity = nullptr;
+    unsettle(in);
     return backend_.accelerations(frame);
   }
 
@@ -115,10 +143,11 @@ class ArenaOf final : public Arena {
     out.resize(vertices);
     std::vector<Vec3<T>> now, before;
     const bool difference = which == StateArray::displacement && position_form_;
-    Status status = fetch(which == StateArray::acceleration                      ? sim_.x[1]
-                          : which == StateArray::displacement && !position_form_ ? sim_.d[0]
-                                                                                 : sim_.x[0],
-                          cloth.first, vertices, now);
+    Status status =
+        fetch(which == StateArray::acceleration || which == StateArray::normal ? sim_.x[1]
+              : which == StateArray::displacement && !position_form_           ? sim_.d[0]
+                                                                               : sim_.x[0],
+              cloth.first, vertices, now);
     if (status == Status::ok && difference)
       status = fetch(sim_.x[2], cloth.first, vertices, before);
     if (status != Status::ok) return status;
@@ -185,8 +214,71 @@ class ArenaOf final : public Arena {
     frame.dt = input.dt;
     frame.dt_before = input.dt_before;
     frame.gravity = narrow<T>(in.world->gravity);
+    frame.wind = wind_of(in);
     frame.threads = input.threads;
     return frame;
+  }
+
+  /// What lies in x[1] is overwritten: sleepers must put their state there again.
+  static void unsettle(const ArenaInput& in) {
+    for (ClothRecord* cloth : in.cloths) cloth->settling = substeps_to_settle;
+  }
+
+  static Wind<T> wind_of(const ArenaInput& in) {
+    if (!in.wind) return {};
+    return {narrow<T>(in.wind->velocity),
+            static_cast<T>(in.wind->air_density * in.wind->normal / 12),
+            static_cast<T>(in.wind->air_density * in.wind->tangential / 12)};
+  }
+
+  /// Smallest and largest over the groups of every cloth.
+  Status read_survey(const ArenaInput& in) {
+    const Status status = backend_.to_host(found_.data(), at<Survey<T>>(layout_.survey),
+                                           found_.size() * sizeof(Survey<T>));
+    if (status != Status::ok) return status;
+    size_t next = 0;
+    const double far = std::numeric_limits<double>::infinity();
+    for (ClothRecord* cloth : in.cloths) {
+      cloth->low = {far, far, far};
+      cloth->high = {-far, -far, -far};
+      cloth->furthest = 0;
+      cloth->broken = false;
+      const uint32_t blocks = (cloth->cooked().vertices + block_size - 1) / block_size;
+      for (uint32_t b = 0; b < blocks; b += survey_blocks) {
+        const Survey<T>& s = found_[next++];
+        cloth->low = {std::min(cloth->low.x, double(s.low.x)),
+                      std::min(cloth->low.y, double(s.low.y)),
+                      std::min(cloth->low.z, double(s.low.z))};
+        cloth->high = {std::max(cloth->high.x, double(s.high.x)),
+                       std::max(cloth->high.y, double(s.high.y)),
+                       std::max(cloth->high.z, double(s.high.z))};
+        cloth->furthest = std::max(cloth->furthest, std::sqrt(double(s.furthest2)));
+        cloth->broken |= s.broken != 0;
+      }
+    }
+    return status;
+  }
+
+  /// Forces that have changed, into room that is there already.
+  Status upload_forces(const ArenaInput& in) {
+    int first = 0;
+    for (ClothRecord* cloth : in.cloths) {
+      if (cloth->forces.empty()) continue;
+      const int elements =
+          static_cast<int>((cloth->cooked().vertices + block_size - 1) / block_size) * block_size;
+      if (cloth->forces_changed) {
+        std::vector<Vec3<T>> values(size_t(elements), Vec3<T>{0, 0, 0});
+        for (const VertexForce& f : cloth->forces) {
+          values[cloth->cooked().storage(f.vertex)] = narrow<T>(f.force);
+        }
+        if (const Status status = put(sim_.force, first, values); status != Status::ok) {
+          return status;
+        }
+        cloth->forces_changed = false;
+      }
+      first += elements;
+    }
+    return Status::ok;
   }
 
   /// Parameters of the cloths; those that have moved since the last upload no longer start.
@@ -213,6 +305,23 @@ class ArenaOf final : public Arena {
     return Status::ok;
   }
 
+  /// Writes elements from `first` on of an array of vectors.
+  Status put(const Vec3Array<T>& to, int first, const std::vector<Vec3<T>>& values) {
+    const size_t step = static_cast<size_t>(this->step());
+    std::vector<T> line(values.size() * step);
+    T* at = to.data + size_t(first) * step;
+    for (size_t c = 0; c < 3; ++c) {
+      T Vec3<T>::*const member = c == 0 ? &Vec3<T>::x : c == 1 ? &Vec3<T>::y : &Vec3<T>::z;
+      for (size_t i = 0; i < values.size(); ++i)
+        line[i * step + c * to.pitch % step] = values[i].*member;
+      if (step > 1 && c < 2) continue;  // x, y and z lie together
+      const Status status = backend_.to_device(step > 1 ? at : at + c * to.pitch, line.data(),
+                                               line.size() * sizeof(T));
+      if (status != Status::ok) return status;
+    }
+    return Status::ok;
+  }
+
   ContextState& context_;
   const Backend& backend_;
   plan::Plan plan_;
@@ -222,7 +331,9 @@ class ArenaOf final : public Arena {
   bool position_form_ = false;
 
   std::vector<ClothParams<T>> params_;
-  FrameInputs<T> inputs_;
+  std::vector<Survey<T>> found_;
+  ColliderInputs<T> colliders_;
+  PinInputs<T> pins_;
 };
 
 }  // namespace

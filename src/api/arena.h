@@ -18,6 +18,9 @@ struct ArenaInput {
   const WorldDesc* world;
   std::vector<ClothRecord*> cloths;  ///< by kernel, then by creation
   const std::vector<ColliderRecord>* colliders;
+  const WindDesc* wind;                                  ///< null: none
+  std::vector<const scene::CookedColliderMesh*> meshes;  ///< each that a collider uses, once
+  std::vector<size_t> mesh_of_collider;                  ///< by mesh collider, into `meshes`
   plan::WorldShape shape;
 };
 
@@ -31,19 +34,22 @@ struct FrameInput {
   int threads;
 };
 
-enum class StateArray : uint8_t { position, displacement, acceleration };
+enum class StateArray : uint8_t { position, displacement, acceleration, normal };
 
 class Arena {
  public:
   virtual ~Arena() = default;
-  /// Fills and uploads; runs the start pass of cloths that have not moved. `time`: of the world.
+  /// Fills and uploads; runs the start pass of cloths that have not moved, and surveys. `time`: of
+  /// the world.
   virtual Status build(const ArenaInput&, double dt_before, double time, int threads) = 0;
   /// Copies the state of every moved cloth to its record.
   virtual Status save(const ArenaInput&) = 0;
+  /// Advances and surveys: the records learn where their cloths are.
   virtual Status frame(const ArenaInput&, const FrameInput&) = 0;
-  virtual Status count_not_finite(int threads, int32_t& count) = 0;
   virtual Status accelerations(const ArenaInput&, double dt_before, int threads) = 0;
-  /// Of one cloth in caller order; positions are local. Accelerations: after accelerations().
+  virtual Status normals(const ArenaInput&, int threads) = 0;
+  /// Of one cloth in caller order; positions are local. Accelerations and normals: after the call
+  /// that makes them; both overwrite the other.
   virtual Status read(const ClothRecord&, StateArray, std::vector<double3>& out) = 0;
   virtual uint64_t bytes() const = 0;
 };

@@ -1,7 +1,9 @@
 #include "api/arena_fill.h"
 
+#include <algorithm>
 #include <cmath>
 
+#include "scene/fan.h"
 #include "scene/grid.h"
 
 namespace weft::api {
@@ -49,8 +51,10 @@ class ImageFiller {
         fill_presence(cloth);
       } else {
         fill_rows(cloth);
+        if (layout_.triangle_start != plan::absent) fill_fans(cloth);
       }
       fill_forces(cloth);
+      if (!cloth.cooked().is_grid) slice_ += slices_of(cloth);
       next_ += slices_of(cloth) * block_size;
     }
   }
@@ -151,8 +155,20 @@ class ImageFiller {
         for (; e < start[s + 1]; e += block_size) neighbour[e] = cloth.first + self;
       }
     }
-    slice_ += slices;
     entry_ += fabric.slice_start[size_t(slices)];
+  }
+
+  void fill_fans(const ClothRecord& cloth) {
+    const scene::Fans fans = scene::build_fans(cloth.cooked());
+    int64_t* start = array<int64_t>(layout_.triangle_start) + slice_;
+    for (size_t s = 0; s < fans.slice_start.size(); ++s) start[s] = corner_ + fans.slice_start[s];
+    int32_t* next = array<int32_t>(layout_.triangle_next) + corner_;
+    int32_t* last = array<int32_t>(layout_.triangle_last) + corner_;
+    for (size_t e = 0; e < fans.next.size(); ++e) {
+      next[e] = cloth.first + fans.next[e];
+      last[e] = cloth.first + fans.last[e];
+    }
+    corner_ += static_cast<int64_t>(fans.next.size());
   }
 
   /// In the expression of kernels/spring.h, so that a rest shape pulls nothing to the last bit.
@@ -175,8 +191,16 @@ class ImageFiller {
   int step_;
   char* image_;
   int next_ = 0, slice_ = 0, forced_ = 0;
-  int64_t entry_ = 0;
+  int64_t entry_ = 0, corner_ = 0;
 };
+
+/// +column, +row, -column, -row by one, or none of them.
+int axis_of(const scene::StencilOffset& o) {
+  if (o.row == 0 && o.column == 1) return 0;
+  if (o.row == 1 && o.column == 0) return 1;
+  if (o.row == 0 && o.column == -1) return 2;
+  return o.row == -1 && o.column == 0 ? 3 : -1;
+}
 
 template <class T>
 void fill_grid_constants(const scene::CookedFabric& fabric, ClothParams<T>& p) {
@@ -187,6 +211,8 @@ void fill_grid_constants(const scene::CookedFabric& fabric, ClothParams<T>& p) {
   for (int k = 0; k < table.count; ++k) {
     const scene::StencilOffset o = table.offset[k];
     p.stiffness[k] = static_cast<T>(scene::stencil_stiffness(o, fabric.stiffness));
+    const int axis = axis_of(o);
+    if (axis >= 0) p.axial[axis] = 1 << k;
     const T x = static_cast<T>(o.column * grid.column_spacing);
     const T y = static_cast<T>(o.row * grid.row_spacing);
     p.rest[k] =
@@ -221,12 +247,22 @@ void fill_params(const ArenaInput& in, std::vector<ClothParams<T>>& out) {
     p.starting = cloth.moved ? 0 : 1;
     p.force_offset = cloth.forces.empty() ? no_forces : forced - cloth.first;
     if (!cloth.forces.empty()) forced += slices_of(cloth) * block_size;
+    p.in_wind = in.wind != nullptr && in.shape.cloths[c].triangles ? 1 : 0;
     for (int k = 0; k < collider_shapes; ++k) {
-      const int count = static_cast<int>(in.shape.colliders[k]);
-      p.collider_first[k] = static_cast<int>(c) * count;
-      p.collider_end[k] = p.collider_first[k] + count;
+      p.collider_count[k] = static_cast<int>(in.shape.colliders[k]);
+      p.collider_first[k] = static_cast<int>(c) * p.collider_count[k];
     }
     out[c] = p;
+  }
+}
+
+void fill_survey_ranges(const ArenaInput& in, const plan::Layout& layout, char* image) {
+  auto* range = reinterpret_cast<SurveyRange*>(image + layout.survey_ranges);
+  for (const ClothRecord* cloth : in.cloths) {
+    const int end = cloth->first + static_cast<int>(cloth->cooked().vertices);
+    for (int first = cloth->first; first < end; first += survey_blocks * block_size) {
+      *range++ = {first, std::min(end, first + survey_blocks * block_size)};
+    }
   }
 }
 
@@ -261,7 +297,21 @@ Simulation<T> views_of(const plan::Layout& l, const plan::Plan& plan, const plan
                    reinterpret_cast<const Plane<T>*>(at(l.colliders[1])),
                    reinterpret_cast<const Capsule<T>*>(at(l.colliders[2])),
                    reinterpret_cast<const Cylinder<T>*>(at(l.colliders[3])),
-                   reinterpret_cast<const Box<T>*>(at(l.colliders[4]))};
+                   reinterpret_cast<const Box<T>*>(at(l.colliders[4])),
+                   reinterpret_cast<const MeshCollider<T>*>(at(l.colliders[5])),
+                   reinterpret_cast<const Mat3<T>*>(at(l.turn)),
+                   static_cast<int>(shape.turning_colliders),
+                   reinterpret_cast<const int32_t*>(at(l.every)),
+                   reinterpret_cast<const int32_t*>(at(l.near)),
+                   reinterpret_cast<const ReachOfCollider<T>*>(at(l.near_reach))};
+  sim.activity = reinterpret_cast<const ClothActivity<T>*>(at(l.activity));
+  sim.reach = reinterpret_cast<BlockReach<T>*>(at(l.block_reach));
+  sim.survey_ranges = reinterpret_cast<const SurveyRange*>(at(l.survey_ranges));
+  sim.survey = reinterpret_cast<Survey<T>*>(at(l.survey));
+  sim.survey_count = static_cast<int>(shape.survey_groups());
+  sim.triangles = {reinterpret_cast<const int64_t*>(at(l.triangle_start)),
+                   reinterpret_cast<const int32_t*>(at(l.triangle_next)),
+                   reinterpret_cast<const int32_t*>(at(l.triangle_last)), row_block};
   sim.pins = {vectors(l.pin_base), vectors(l.pin_glide),
               reinterpret_cast<const int32_t*>(at(l.pin_motion)),
               reinterpret_cast<const Vec3<T>*>(at(l.pin_offset)), static_cast<int>(shape.motions)};

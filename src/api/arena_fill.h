@@ -16,6 +16,9 @@ template <class T>
 void fill_image(const ArenaInput&, const plan::Layout&, int particle_step, double dt_before,
                 double time, char* image);
 
+/// Which particles each group of the survey looks at; after fill_image.
+void fill_survey_ranges(const ArenaInput&, const plan::Layout&, char* image);
+
 /// Parameters of the cloths; `starting` marks those that have not moved.
 template <class T>
 void fill_params(const ArenaInput&, std::vector<ClothParams<T>>& out);

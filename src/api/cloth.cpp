@@ -118,27 +118,32 @@ void set_pins(const ClothDesc& desc, uint32_t vertices, ClothRecord& cloth) {
   }
 }
 
-void set_forces(const ClothDesc& desc, uint32_t vertices, ClothRecord& cloth) {
-  scene::check_view(desc.forces.data, desc.forces.count, "forces");
-  for (uint32_t i = 0; i < desc.forces.count; ++i) {
-    check_vertex(desc.forces[i].vertex, vertices, "forces", i);
-    checked_vector(desc.forces[i].force, text("forces[%u]", i).c_str());
-    cloth.forces.push_back(desc.forces[i]);
+}  // namespace
+
+void checked_forces(View<VertexForce> forces, uint32_t vertices,
+                    std::pmr::vector<VertexForce>& out) {
+  scene::check_view(forces.data, forces.count, "forces");
+  for (uint32_t i = 0; i < forces.count; ++i) {
+    check_vertex(forces[i].vertex, vertices, "forces", i);
+    checked_vector(forces[i].force, text("forces[%u]", i).c_str());
+    out.push_back(forces[i]);
   }
-  std::stable_sort(cloth.forces.begin(), cloth.forces.end(),
+  std::stable_sort(out.begin(), out.end(),
                    [](const VertexForce& a, const VertexForce& b) { return a.vertex < b.vertex; });
   size_t kept = 0;
-  for (size_t i = 0; i < cloth.forces.size(); ++i) {
-    const VertexForce force = cloth.forces[i];
-    if (kept > 0 && cloth.forces[kept - 1].vertex == force.vertex) {
-      double3& sum = cloth.forces[kept - 1].force;
+  for (size_t i = 0; i < out.size(); ++i) {
+    const VertexForce force = out[i];
+    if (kept > 0 && out[kept - 1].vertex == force.vertex) {
+      double3& sum = out[kept - 1].force;
       sum = {sum.x + force.force.x, sum.y + force.force.y, sum.z + force.force.z};
     } else {
-      cloth.forces[kept++] = force;
+      out[kept++] = force;
     }
   }
-  cloth.forces.resize(kept);
+  out.resize(kept);
 }
+
+namespace {
 
 /// Middle of the bounds in whole metres, which every float holds exactly.
 double3 local_origin(const ClothRecord& cloth) {
@@ -176,8 +181,26 @@ void fill_record(const ClothDesc& desc, ClothRecord& cloth) {
   cloth.spring_damping = desc.spring_damping;
   cloth.user_data = desc.user_data;
   set_pins(desc, vertices, cloth);
-  set_forces(desc, vertices, cloth);
+  checked_forces(desc.forces, vertices, cloth.forces);
+  scene::check_not_negative(desc.sleep_speed, "sleep_speed");
+  scene::check_not_negative(desc.sleep_time, "sleep_time");
+  cloth.sleep_speed = desc.sleep_speed;
+  cloth.sleep_time = desc.sleep_time;
   cloth.origin = local_origin(cloth);
+}
+
+void wake(ClothRecord& cloth) {
+  cloth.asleep = false;
+  cloth.calm = 0;
+}
+
+void notice_rest(ClothRecord& cloth, double dt, double substep) {
+  if (cloth.sleep_speed <= 0) return;
+  if (cloth.asleep) return;
+  cloth.calm = cloth.furthest < cloth.sleep_speed * substep ? cloth.calm + dt : 0;
+  if (cloth.calm <= 0 || cloth.calm < cloth.sleep_time) return;
+  cloth.asleep = true;
+  cloth.settling = substeps_to_settle;
 }
 
 }  // namespace weft::api

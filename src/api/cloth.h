@@ -45,6 +45,17 @@ struct ClothRecord {
       positions;  ///< start, world; empty: rest shape. Freed once it has moved
   std::pmr::vector<double3> velocities;  ///< start; empty: `velocity`. Freed once it has moved
 
+  double sleep_speed = 0, sleep_time = 0;
+  bool asleep = false;
+  double calm = 0;   ///< s: how long nothing has been faster than sleep_speed
+  int settling = 0;  ///< substeps until a sleeper's state is in every buffer
+
+  // Of the last survey.
+  double3 low{0, 0, 0}, high{0, 0, 0};  ///< local; low above high: nothing is finite
+  double furthest = 0;                  ///< m: longest way of a particle in the last substep
+  bool broken = false;                  ///< a position is not finite
+
+  bool forces_changed = false;
   bool moved = false;    ///< a step has been made: the device holds its state
   int first = 0;         ///< element of its first particle on the device
   int params = 0;        ///< its place among the cloth parameters
@@ -64,6 +75,15 @@ double3 start_position(const ClothRecord&, uint32_t vertex);
 /// Displacement of a motion at time t.
 double3 motion_offset(const PinMotion&, double t);
 double3 motion_velocity(const PinMotion&, double t);
+
+/// Sorts forces by vertex and adds up those on one; throws InvalidInput.
+void checked_forces(View<VertexForce>, uint32_t vertices, std::pmr::vector<VertexForce>& out);
+
+/// Substeps after which what a sleeper last wrote is in every buffer.
+constexpr int substeps_to_settle = 3;
+void wake(ClothRecord&);
+/// After a frame of `dt` in substeps of `substep`: puts a calm cloth to sleep.
+void notice_rest(ClothRecord&, double dt, double substep);
 
 /// Checks a description against its fabric and makes a record of it; throws InvalidInput.
 void fill_record(const ClothDesc&, ClothRecord&);

@@ -57,31 +57,35 @@ Result<Context> Context::create(const ContextDesc& desc, uint32_t abi) noexcept 
   }
 }
 
-template <class Desc, class Cook>
-static Result<Fabric> cook_with(const Context::Impl* impl, const Desc& desc, Cook cook) noexcept {
+/// Cooks a Fabric or a ColliderMesh.
+template <class Cooked, class Desc, class Cook>
+static Result<Cooked> cook_with(const Context::Impl* impl, const Desc& desc, Cook cook) noexcept {
   if (!impl) return Status::invalid_handle;
-  Fabric::Impl* made = nullptr;
+  typename Cooked::Impl* made = nullptr;
   const Status status = api::guarded(*impl->state, [&] {
-    auto fabric = std::make_unique<Fabric::Impl>(impl->state);
-    cook(desc, fabric->cooked);
-    for (const scene::CookedDiagnostic& d : fabric->cooked.diagnostics) {
-      fabric->diagnostics.push_back({d.severity, d.element, d.text.c_str()});
+    auto cooking = std::make_unique<typename Cooked::Impl>(impl->state);
+    cook(desc, cooking->cooked);
+    for (const scene::CookedDiagnostic& d : cooking->cooked.diagnostics) {
+      cooking->diagnostics.push_back({d.severity, d.element, d.text.c_str()});
     }
-    made = fabric.release();
+    made = cooking.release();
     return Status::ok;
   });
   if (status != Status::ok) return status;
-  return Fabric(made);
+  return Cooked(made);
 }
 
 Result<Fabric> Context::cook(const GridDesc& desc) noexcept {
-  return cook_with(impl_, desc, scene::cook_grid);
+  return cook_with<Fabric>(impl_, desc, scene::cook_grid);
 }
 Result<Fabric> Context::cook(const MeshDesc& desc) noexcept {
-  return cook_with(impl_, desc, scene::cook_mesh);
+  return cook_with<Fabric>(impl_, desc, scene::cook_mesh);
 }
 Result<Fabric> Context::cook(const NetworkDesc& desc) noexcept {
-  return cook_with(impl_, desc, scene::cook_network);
+  return cook_with<Fabric>(impl_, desc, scene::cook_network);
+}
+Result<ColliderMesh> Context::cook(const ColliderMeshDesc& desc) noexcept {
+  return cook_with<ColliderMesh>(impl_, desc, scene::cook_collider_mesh);
 }
 
 Result<World> Context::create_world(const WorldDesc& desc) noexcept {

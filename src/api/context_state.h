@@ -9,6 +9,7 @@
 #include "api/memory.h"
 #include "api/registry.h"
 #include "base/message_host.h"
+#include "scene/collider_mesh.h"
 #include "scene/fabric.h"
 
 namespace weft {
@@ -60,6 +61,16 @@ struct Fabric::Impl {
   std::shared_ptr<api::ContextState> context;
   std::atomic<uint32_t> references{1};
   scene::CookedFabric cooked;
+  std::pmr::vector<Diagnostic> diagnostics{&context->memory};
+};
+
+struct ColliderMesh::Impl {
+  explicit Impl(std::shared_ptr<api::ContextState> owner)
+      : context(std::move(owner)), cooked(&context->memory) {}
+
+  std::shared_ptr<api::ContextState> context;
+  std::atomic<uint32_t> references{1};
+  scene::CookedColliderMesh cooked;
   std::pmr::vector<Diagnostic> diagnostics{&context->memory};
 };
 }  // namespace v0

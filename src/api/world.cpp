@@ -48,6 +48,11 @@ api::ClothRecord* World::Impl::find(ClothId id) noexcept {
   return cloths[id.index]->id == id ? cloths[id.index].get() : nullptr;
 }
 
+api::ColliderRecord* World::Impl::find(ColliderId id) noexcept {
+  if (!id || id.index >= colliders.size() || colliders[id.index].id != id) return nullptr;
+  return &colliders[id.index];
+}
+
 Status World::Impl::stale(const char* what, uint32_t index) noexcept {
   return context->fail(
       Status::invalid_handle,
@@ -81,6 +86,7 @@ Result<ClothId> World::create_cloth(const ClothDesc& cloth_desc) noexcept {
     impl_->order.reserve(impl_->order.size() + 1);
     id = impl_->next_cloth_id();
     record->id = id;
+    if (impl_->wind) impl_->say_if_windless(*record);
     impl_->cloths[id.index] = std::move(record);
     impl_->order.push_back(id);
     impl_->dirty = true;
@@ -117,6 +123,7 @@ static Result<ColliderId> add_collider(World::Impl* impl, const Desc& desc) {
   const Status status = api::guarded(*impl->context, [&] {
     api::ColliderRecord record = api::record_of(desc);
     record.since = impl->time;
+    impl->wake_touched(record, 0);
     size_t slot = 0;
     while (slot < impl->colliders.size() && impl->colliders[slot].id) ++slot;
     if (slot == impl->colliders.size()) {
@@ -147,22 +154,18 @@ Result<ColliderId> World::create_cylinder(const CylinderDesc& d) noexcept {
 }
 Result<ColliderId> World::create_box(const BoxDesc& d) noexcept { return add_collider(impl_, d); }
 
-Status World::destroy_collider(ColliderId id) noexcept {
-  if (!impl_) return Status::invalid_handle;
-  if (!id || id.index >= impl_->colliders.size() || impl_->colliders[id.index].id != id) {
-    return impl_->stale("collider", id.index);
-  }
-  impl_->colliders[id.index].id = {};
-  impl_->dirty = true;
-  return Status::ok;
+Result<ColliderId> World::create_mesh(const MeshColliderDesc& d) noexcept {
+  return add_collider(impl_, d);
 }
 
-Status World::set_gravity(double3 gravity) noexcept {
+Status World::destroy_collider(ColliderId id) noexcept {
   if (!impl_) return Status::invalid_handle;
+  api::ColliderRecord* collider = impl_->find(id);
+  if (!collider) return impl_->stale("collider", id.index);
   return api::guarded(*impl_->context, [&] {
-    impl_->desc.gravity = api::checked_vector(gravity, "gravity");
-    impl_->accelerations_known = false;
-    impl_->dirty |= impl_->starting;  // the start displacements depend on it
+    impl_->wake_touched(*collider, 0);
+    *collider = {};
+    impl_->dirty = true;
     return Status::ok;
   });
 }
@@ -206,6 +209,7 @@ Status World::move_pins(ClothId id, View<uint32_t> vertices, PointView targets) 
         return read;
       }
     }
+    api::wake(*cloth);
     cloth->pins.reserve(cloth->pins.size() + vertices.count);
     for (uint32_t i = 0; i < vertices.count; ++i) {
       const uint32_t v = vertices[i];
@@ -233,6 +237,7 @@ Status World::release_pins(ClothId id, View<uint32_t> vertices) noexcept {
   if (!cloth) return impl_->stale("cloth", id.index);
   return api::guarded(*impl_->context, [&] {
     check_vertices(*cloth, vertices, true);
+    api::wake(*cloth);
     for (uint32_t i = 0; i < vertices.count; ++i) {
       const auto* pin = cloth->pin_of(vertices[i]);
       if (pin) cloth->pins.erase(cloth->pins.begin() + (pin - cloth->pins.data()));

@@ -16,6 +16,22 @@ Status World::Impl::ensure_readable() {
   return ensure_built(dt, std::max(1u, built_substeps));
 }
 
+/// Accelerations and normals are made when they are asked for, for all cloths at once.
+static Status make_result(World::Impl* impl, api::StateArray which) {
+  using Result = World::Impl::Result;
+  const Result wanted = which == api::StateArray::acceleration ? Result::accelerations
+                        : which == api::StateArray::normal     ? Result::normals
+                                                               : Result::none;
+  if (wanted == Result::none || wanted == impl->result) return Status::ok;
+  const int threads = static_cast<int>(impl->context->threads);
+  const double dt = impl->dt_before > 0 ? impl->dt_before : impl->built_dt;
+  const Status status = wanted == Result::normals
+                            ? impl->arena->normals(*impl->built, threads)
+                            : impl->arena->accelerations(*impl->built, dt, threads);
+  impl->result = status == Status::ok ? wanted : Result::none;
+  return status;
+}
+
 /// Reads one cloth and hands every vertex's value to `use`.
 template <class Use>
 static Status read_cloth(World::Impl* impl, ClothId id, api::StateArray which, Use use) {
@@ -25,13 +41,7 @@ static Status read_cloth(World::Impl* impl, ClothId id, api::StateArray which, U
   return api::guarded(*impl->context, [&] {
     std::vector<double3> values;
     Status status = impl->ensure_readable();
-    if (status == Status::ok && which == api::StateArray::acceleration &&
-        !impl->accelerations_known) {
-      const double dt = impl->dt_before > 0 ? impl->dt_before : impl->built_dt;
-      status =
-          impl->arena->accelerations(*impl->built, dt, static_cast<int>(impl->context->threads));
-      impl->accelerations_known = status == Status::ok;
-    }
+    if (status == Status::ok) status = make_result(impl, which);
     if (status == Status::ok && cloth->cooked().vertices > 0) {
       status = impl->arena->read(*cloth, which, values);
     }
@@ -41,32 +51,54 @@ static Status read_cloth(World::Impl* impl, ClothId id, api::StateArray which, U
   });
 }
 
+/// Hands out vectors, `stride` bytes apart; `what` names them in messages.
 template <class Point>
-static Status read_points(World::Impl* impl, ClothId id, Point* out, uint32_t stride) {
+static Status read_points(World::Impl* impl, ClothId id, api::StateArray which, const char* what,
+                          Point* out, uint32_t stride) {
   if (!impl) return Status::invalid_handle;
   if (const api::ClothRecord* cloth = impl->find(id);
       cloth && cloth->cooked().vertices > 0 && (!out || stride < sizeof(Point))) {
     return impl->context->fail(
         Status::invalid_argument,
-        text("positions into %s with a stride of %u bytes (a point takes %zu) "
+        text("%s into %s with a stride of %u bytes (a point takes %zu) "
              "give a buffer and its stride",
-             out ? "a buffer" : "a null pointer", stride, sizeof(Point)));
+             what, out ? "a buffer" : "a null pointer", stride, sizeof(Point)));
   }
+  const bool local = which == api::StateArray::position;
   return read_cloth(
-      impl, id, api::StateArray::position,
-      [&](const api::ClothRecord& cloth, uint32_t v, const double3& local) {
-        const double3 x = api::plus(cloth.origin, local);
-        auto* p = reinterpret_cast<Point*>(reinterpret_cast<char*>(out) + size_t(v) * stride);
+      impl, id, which, [&](const api::ClothRecord& cloth, uint32_t v, const double3& value) {
+        const double3 x = local ? api::plus(cloth.origin, value) : value;
+        char* at = reinterpret_cast<char*>(out) + size_t(v) * stride;
+        auto* p = reinterpret_cast<Point*>(at);
         using Scalar = decltype(p->x);
         *p = {static_cast<Scalar>(x.x), static_cast<Scalar>(x.y), static_cast<Scalar>(x.z)};
       });
 }
 
 Status World::read_positions(ClothId id, double3* out, uint32_t stride) noexcept {
-  return read_points(impl_, id, out, stride);
+  return read_points(impl_, id, api::StateArray::position, "positions", out, stride);
 }
 Status World::read_positions(ClothId id, float3* out, uint32_t stride) noexcept {
-  return read_points(impl_, id, out, stride);
+  return read_points(impl_, id, api::StateArray::position, "positions", out, stride);
+}
+
+/// The triangles of meshes go to the device when their normals are first asked for.
+template <class Point>
+static Status read_normals(World::Impl* impl, ClothId id, Point* out, uint32_t stride) {
+  if (impl && impl->find(id) && !impl->normals_wanted) {
+    impl->normals_wanted = true;
+    for (const ClothId other : impl->order) {
+      const scene::CookedFabric& fabric = impl->find(other)->cooked();
+      impl->dirty |= !fabric.is_grid && !fabric.triangles.empty() && !impl->wind;
+    }
+  }
+  return read_points(impl, id, api::StateArray::normal, "normals", out, stride);
+}
+Status World::read_normals(ClothId id, double3* out, uint32_t stride) noexcept {
+  return weft::read_normals(impl_, id, out, stride);
+}
+Status World::read_normals(ClothId id, float3* out, uint32_t stride) noexcept {
+  return weft::read_normals(impl_, id, out, stride);
 }
 
 Status World::read_accelerations(ClothId id, double3* out) noexcept {
@@ -212,7 +244,7 @@ Result<PlanInfo> World::plan() noexcept {
     impl_->passes.clear();
     for (const plan::Pass& p : impl_->plan.passes) {
       impl_->passes.push_back(
-          {p.stage, p.kernel.c_str(), p.count, p.bytes_per_particle, p.flops_per_particle});
+          {p.stage, p.per, p.kernel.c_str(), p.count, p.bytes_per_particle, p.flops_per_particle});
     }
     info.passes = {impl_->passes.data(), impl_->passes.size()};
     info.bytes_state = plan::lay_out(in.shape, impl_->context->backend->info().particle_step).bytes;

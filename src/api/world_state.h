@@ -28,6 +28,7 @@ struct World::Impl {
   Impl(std::shared_ptr<api::ContextState> owner, const WorldDesc& world_desc);
 
   api::ClothRecord* find(ClothId) noexcept;
+  api::ColliderRecord* find(ColliderId) noexcept;
   Status stale(const char* what, uint32_t index) noexcept;
   ClothId next_cloth_id();
 
@@ -38,6 +39,12 @@ struct World::Impl {
   Status ensure_readable();
   Status run(double dt, uint32_t substeps);
   Status report_not_finite();
+  /// What a collider can touch between now and the end of a step of `dt` wakes up, if it moves.
+  void wake_touched(const api::ColliderRecord&, double dt);
+  void wake_by_colliders(double dt);
+  void wake_all() noexcept;
+  /// Tells the log of a cloth that wind cannot move.
+  void say_if_windless(const api::ClothRecord&);
 
   api::ClothRecord& bound_of(api::ClothRecord&);
   Stability tightest();
@@ -52,13 +59,16 @@ struct World::Impl {
   std::vector<ClothId> order;                  ///< by creation
   std::vector<api::ColliderRecord> colliders;  ///< by slot; null id: free
   std::vector<uint32_t> collider_generations;
+  std::optional<WindDesc> wind;
+  bool normals_wanted = false;  ///< of meshes, whose triangles then lie on the device
 
   std::unique_ptr<api::Arena> arena;
   std::optional<api::ArenaInput> built;  ///< what the arena was made for
   bool dirty = true;                     ///< the arena must be made anew
-  bool accelerations_known = false;      ///< the arena holds those of the present
-  bool starting = false;                 ///< some cloth on the device has not moved yet
-  double built_dt = 0;                   ///< step that the start displacements belong to
+  /// What the arena's room for results holds of the present.
+  enum class Result : uint8_t { none, accelerations, normals } result = Result::none;
+  bool starting = false;  ///< some cloth on the device has not moved yet
+  double built_dt = 0;    ///< step that the start displacements belong to
   uint32_t built_substeps = 0;
   bool lost = false;  ///< diverged, or the device failed
 

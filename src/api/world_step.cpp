@@ -3,7 +3,9 @@
 #include <cmath>
 #include <limits>
 
+#include "api/collider_mesh_arrays.h"
 #include "api/world_state.h"
+#include "scene/fan.h"
 #include "scene/stability.h"
 
 namespace weft {
@@ -51,6 +53,7 @@ api::ArenaInput World::Impl::arena_input(uint32_t substeps) {
   api::ArenaInput in;
   in.world = &desc;
   in.colliders = &colliders;
+  in.wind = wind ? &*wind : nullptr;
   for (const ClothId id : order) {
     // A cloth without vertices has no block; it needs no place.
     if (cloths[id.index]->cooked().vertices > 0) in.cloths.push_back(cloths[id.index].get());
@@ -62,6 +65,9 @@ api::ArenaInput World::Impl::arena_input(uint32_t substeps) {
   int motions = 1;
   for (api::ClothRecord* cloth : in.cloths) {
     in.shape.cloths.push_back(api::shape_of(*cloth));
+    if (wind || normals_wanted) {
+      in.shape.cloths.back().triangle_entries = scene::fan_entries(cloth->cooked());
+    }
     cloth->motion_first = motions;
     motions += static_cast<int>(cloth->motions.size());
   }
@@ -72,8 +78,18 @@ api::ArenaInput World::Impl::arena_input(uint32_t substeps) {
     throw InvalidInput(text("a world of %llu particles (it holds at most 2^30) use several worlds",
                             static_cast<unsigned long long>(elements)));
   }
+  in.shape.wind = wind.has_value();
+  in.shape.normals = normals_wanted;
   for (const api::ColliderRecord& c : colliders) {
-    if (c.id) ++in.shape.colliders[static_cast<int>(c.shape)];
+    if (!c.id) continue;
+    ++in.shape.colliders[static_cast<int>(c.shape)];
+    if (c.can_turn) ++in.shape.turning_colliders;
+    if (c.shape != ColliderShape::mesh) continue;
+    const auto at = std::find(in.meshes.begin(), in.meshes.end(), c.cooked_mesh);
+    in.mesh_of_collider.push_back(static_cast<size_t>(at - in.meshes.begin()));
+    if (at != in.meshes.end()) continue;
+    in.meshes.push_back(c.cooked_mesh);
+    in.shape.meshes.push_back(api::bytes_on_device(*c.cooked_mesh, desc.precision));
   }
   return in;
 }
@@ -88,7 +104,7 @@ Status World::Impl::ensure_built(double dt, uint32_t substeps) {
     built.reset();
   }
   dirty = true;
-  accelerations_known = false;
+  result = Result::none;
   api::ArenaInput in = arena_input(substeps);
   const double before = dt_before > 0 ? dt_before : dt;
   const Status status = arena->build(in, before, time, static_cast<int>(context->threads));
@@ -212,8 +228,9 @@ Status World::Impl::run(double dt, uint32_t substeps) {
   }
   Status status = ensure_built(dt / substeps, substeps);
   if (status != Status::ok) return status;
+  wake_by_colliders(dt);
   const double sub_dt = dt / substeps;
-  accelerations_known = false;
+  result = Result::none;
   const int threads = static_cast<int>(context->threads);
   {
     Stopwatch watch(phases[api::phase_inputs_and_advance].seconds);
@@ -243,6 +260,13 @@ Status World::Impl::run(double dt, uint32_t substeps) {
       if (pin.gliding) pin.base = pin.target;
       pin.gliding = false;
     }
+    api::notice_rest(*cloth, dt, sub_dt);
+  }
+  for (api::ColliderRecord& c : colliders) {
+    if (!c.id || !c.gliding) continue;
+    c.placed = c.target;
+    c.since = time;
+    c.gliding = false;
   }
   starting = false;
   ++frames;
@@ -253,10 +277,10 @@ Status World::Impl::run(double dt, uint32_t substeps) {
   threads_last = context->threads;
 
   Stopwatch watch(phases[api::phase_check].seconds);
-  int32_t broken = 0;
-  status = arena->count_not_finite(threads, broken);
-  if (status == Status::ok && broken > 0) return report_not_finite();
-  return status;
+  for (const api::ClothRecord* cloth : built->cloths) {
+    if (cloth->broken) return report_not_finite();
+  }
+  return Status::ok;
 }
 
 Status World::step(double dt) noexcept {

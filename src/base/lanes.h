@@ -24,6 +24,11 @@ struct Lanes {
     WEFT_SIMD
     for (int l = 0; l < N; ++l) f(l);
   }
+  /// The same without vectors, for what branches from lane to lane.
+  template <class F>
+  WEFT_HD void each_alone(F f) const {
+    for (int l = 0; l < N; ++l) f(l);
+  }
   /// Whether f(l) holds for any lane of this call: on the GPU, for the thread's own.
   template <class F>
   WEFT_HD bool any(F f) const {
@@ -64,6 +69,29 @@ WEFT_HD T sum_of_lanes(T* partial, Lanes<1>) {
   T sum = partial[0];
   for (int half = block_size / 2; half > 0; half /= 2) sum += WEFT_SHUFFLE_DOWN(sum, half);
   return sum;
+}
+
+/// Smallest (or largest) of one value per lane; lane 0 returns it.
+template <class T>
+WEFT_HD T smallest_of_lanes(T* value, Lanes<block_size>) {
+  for (int half = block_size / 2; half > 0; half /= 2) {
+    WEFT_SIMD
+    for (int l = 0; l < half; ++l) value[l] = smaller(value[l], value[l + half]);
+  }
+  return value[0];
+}
+template <class T>
+WEFT_HD T smallest_of_lanes(T* value, Lanes<1>) {
+  T least = value[0];
+  for (int half = block_size / 2; half > 0; half /= 2) {
+    least = smaller(least, WEFT_SHUFFLE_DOWN(least, half));
+  }
+  return least;
+}
+template <class T, int N>
+WEFT_HD T largest_of_lanes(T* value, Lanes<N> lanes) {
+  for (int l = 0; l < N; ++l) value[l] = -value[l];
+  return -smallest_of_lanes(value, lanes);
 }
 
 }  // namespace WEFT_BACKEND_NS

@@ -50,6 +50,11 @@
 #  define WEFT_BACKEND_NS host
 #endif
 
+/// Bit mask of stages that are not compiled (state/stages.h): none, but for a test.
+#ifndef WEFT_LEAVE_OUT_STAGES
+#  define WEFT_LEAVE_OUT_STAGES 0u
+#endif
+
 /// Scalars from one particle to the next in an array of vectors: 1 stores x, y and z apart
 /// (structure of arrays), 4 stores x, y, z and a pad together. Bits do not depend on it.
 #ifndef WEFT_PARTICLE_STEP

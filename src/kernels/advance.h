@@ -4,17 +4,22 @@
 // is a uniform branch not taken, once per block of 32 particles.
 #pragma once
 
+#include "kernels/collide.h"
 #include "kernels/grid_springs.h"
 #include "kernels/mesh_springs.h"
 #include "kernels/particle_stages.h"
+#include "kernels/wind.h"
+#include "state/stages.h"
 
 namespace weft {
 namespace WEFT_BACKEND_NS {
 
 template <class T, class Springs>
 struct Advance {
+  using Fan = typename Springs::Fan;
   ParticleStages<T> stages;
   Springs springs;
+  Fan fan;
   int first_block;
 
   template <int N>
@@ -23,24 +28,61 @@ struct Advance {
     const int i0 = block * block_size + lane0;
     const Simulation<T>& sim = stages.sim;
     const StepParams<T>& step = stages.step;
-    const ClothParams<T>& cloth = sim.cloths[sim.block.cloth[block]];
-
+    const int of_cloth = sim.block.cloth[block];
+    const ClothParams<T>& cloth = sim.cloths[of_cloth];
+    if constexpr (is_compiled(Stage::sleep)) {
+      if (sim.activity != nullptr && sim.activity[of_cloth].asleep) {
+        return stages.rest(sim.activity[of_cloth], i0, lanes);
+      }
+    }
     LaneVec3<T, N> force;
     springs.gather(cloth, stages.p, block, i0, lanes, force);
-    if (cloth.force_offset != no_forces) stages.add_constant_forces(cloth, i0, lanes, force);
-    if (cloth.spring_damping > T(0)) damp_springs(cloth, block, i0, lanes, force);
-    // -- seam: forces | integration
-    stages.integrate(cloth, i0, lanes, force);
+    if constexpr (is_compiled(Stage::forces)) {
+      if (cloth.force_offset != no_forces) stages.add_constant_forces(cloth, i0, lanes, force);
+    }
+    if constexpr (is_compiled(Stage::wind)) {
+      if (cloth.in_wind) {
+        blow(fan, cloth, stages.p, step, sim.inverse_mass, block, i0, lanes, force);
+      }
+    }
+    if constexpr (is_compiled(Stage::spring_damping)) {
+      if (cloth.spring_damping > T(0)) damp_springs(cloth, block, i0, lanes, force);
+    }
+    // -- seam: forces | integration | colliders
+    if (is_compiled(Stage::colliders) && sim.reach != nullptr && sim.activity != nullptr) {
+      integrate_and_collide(cloth, sim.activity[of_cloth], block, i0, lanes, force);
+    } else {
+      stages.integrate(cloth, Everywhere{}, i0, lanes, force);
+    }
     if (step.update != Update::summed && step.update != Update::position) return;
-    // -- seam: integration | colliders
-    stages.collide(cloth, i0, lanes);
     // -- seam: colliders | pins
-    if (sim.block.pins != nullptr && sim.block.pins[block] >= 0) {
-      stages.place_pins(sim.block.pins[block] * block_size + lane0, i0, lanes);
+    if constexpr (is_compiled(Stage::moving_pins)) {
+      if (sim.block.pins != nullptr && sim.block.pins[block] >= 0) {
+        stages.place_pins(sim.block.pins[block] * block_size + lane0, i0, lanes);
+      }
     }
   }
 
  private:
+  /// A block that stays in its region meets the colliders of its list, which often are none.
+  template <int N>
+  WEFT_HD void integrate_and_collide(const ClothParams<T>& cloth, const ClothActivity<T>& activity,
+                                     int block, int i0, Lanes<N> lanes,
+                                     const LaneVec3<T, N>& force) const {
+    const Simulation<T>& sim = stages.sim;
+    bool every = activity.nearness == Nearness::every;
+    if (every) {
+      stages.integrate(cloth, Everywhere{}, i0, lanes, force);
+    } else {
+      const bool by_block = activity.nearness == Nearness::block;
+      const Region<T> region{by_block ? sim.reach[block].low : activity.low,
+                             by_block ? sim.reach[block].high : activity.high};
+      every = stages.integrate(cloth, region, i0, lanes, force);
+      if (!every && meets_nothing(sim, activity, block)) return;
+    }
+    CollideStage<T>{sim, stages.p, stages.step}(cloth, activity, every, block, i0, lanes);
+  }
+
   template <int N>
   WEFT_HD_COLD void damp_springs(const ClothParams<T>& cloth, int block, int i0, Lanes<N> lanes,
                                  LaneVec3<T, N>& force) const {

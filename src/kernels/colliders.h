@@ -1,8 +1,9 @@
 // Analytic colliders: a particle inside goes to the surface along the normal (Fratarcangeli 2011,
 // section 22.3).
 //
-// Every shape is two functions: `is_inside`, and `way_out`, the shortest vector from a point inside
-// to the surface. `by` is how far the collider has moved since the start of the frame.
+// Every shape is two functions: `is_inside`, and `way_out`, the shortest way from a point inside to
+// the surface. Points are where the collider was at the start of the frame: kernels/placement.h
+// takes them there.
 #pragma once
 
 #include "state/colliders.h"
@@ -11,55 +12,61 @@ namespace weft {
 namespace WEFT_BACKEND_NS {
 
 template <class T>
-WEFT_HD bool is_inside(const Sphere<T>& s, Vec3<T> by, Vec3<T> x) {
-  const Vec3<T> from = x - (s.center + by);
+struct WayOut {
+  Vec3<T> normal;  ///< unit vector
+  T depth;
+};
+
+template <class T>
+WEFT_HD bool is_inside(const Sphere<T>& s, Vec3<T> x) {
+  const Vec3<T> from = x - s.center;
   return dot(from, from) < s.radius * s.radius;
+}
+/// Away from a centre `from` away; at the very centre along `side`.
+template <class T>
+WEFT_HD WayOut<T> way_out_of_ball(Vec3<T> from, T radius, Vec3<T> side) {
+  const T distance = square_root(dot(from, from));
+  const bool at_center = !(distance > T(0));
+  const T scale = T(1) / (at_center ? T(1) : distance);
+  return {select(at_center, side, scale * from), radius - distance};
 }
 /// The very centre leaves along +y.
 template <class T>
-WEFT_HD Vec3<T> way_out(const Sphere<T>& s, Vec3<T> by, Vec3<T> x) {
-  const Vec3<T> center = s.center + by, from = x - center;
-  const T distance = square_root(dot(from, from));
-  const bool at_center = !(distance > T(0));
-  const T outward = s.radius / (at_center ? T(1) : distance);
-  return (center + select(at_center, Vec3<T>{T(0), s.radius, T(0)}, outward * from)) - x;
+WEFT_HD WayOut<T> way_out(const Sphere<T>& s, Vec3<T> x) {
+  return way_out_of_ball(x - s.center, s.radius, Vec3<T>{T(0), T(1), T(0)});
 }
 
 template <class T>
-WEFT_HD bool is_inside(const Plane<T>& p, Vec3<T> by, Vec3<T> x) {
-  return dot(p.normal, x) < p.offset + dot(p.normal, by);
+WEFT_HD bool is_inside(const Plane<T>& p, Vec3<T> x) {
+  return dot(p.normal, x) < p.offset;
 }
 template <class T>
-WEFT_HD Vec3<T> way_out(const Plane<T>& p, Vec3<T> by, Vec3<T> x) {
-  return (p.offset + dot(p.normal, by) - dot(p.normal, x)) * p.normal;
+WEFT_HD WayOut<T> way_out(const Plane<T>& p, Vec3<T> x) {
+  return {p.normal, p.offset - dot(p.normal, x)};
 }
 
 /// From the nearest point of a capsule's segment to x.
 template <class T>
-WEFT_HD Vec3<T> from_segment(const Capsule<T>& c, Vec3<T> by, Vec3<T> x) {
-  const Vec3<T> from = x - (c.a + by);
+WEFT_HD Vec3<T> from_segment(const Capsule<T>& c, Vec3<T> x) {
+  const Vec3<T> from = x - c.a;
   const T along = dot(from, c.axis) * c.inverse_length2;
-  const T within = along < T(0) ? T(0) : (along > T(1) ? T(1) : along);
+  const T within = larger(T(0), smaller(T(1), along));
   return from - within * c.axis;
 }
 template <class T>
-WEFT_HD bool is_inside(const Capsule<T>& c, Vec3<T> by, Vec3<T> x) {
-  const Vec3<T> from = from_segment(c, by, x);
+WEFT_HD bool is_inside(const Capsule<T>& c, Vec3<T> x) {
+  const Vec3<T> from = from_segment(c, x);
   return dot(from, from) < c.radius * c.radius;
 }
 /// A point on the axis leaves along `side`.
 template <class T>
-WEFT_HD Vec3<T> way_out(const Capsule<T>& c, Vec3<T> by, Vec3<T> x) {
-  const Vec3<T> from = from_segment(c, by, x);
-  const T distance = square_root(dot(from, from));
-  const bool on_axis = !(distance > T(0));
-  const T further = c.radius / (on_axis ? T(1) : distance) - T(1);
-  return select(on_axis, c.radius * c.side, further * from);
+WEFT_HD WayOut<T> way_out(const Capsule<T>& c, Vec3<T> x) {
+  return way_out_of_ball(from_segment(c, x), c.radius, c.side);
 }
 
 template <class T>
-WEFT_HD bool is_inside(const Cylinder<T>& c, Vec3<T> by, Vec3<T> x) {
-  const Vec3<T> from = x - (c.a + by);
+WEFT_HD bool is_inside(const Cylinder<T>& c, Vec3<T> x) {
+  const Vec3<T> from = x - c.a;
   const T along = dot(from, c.axis);
   const Vec3<T> across = from - along * c.axis;
   const bool above = along > T(0), below = along < c.length;
@@ -68,24 +75,20 @@ WEFT_HD bool is_inside(const Cylinder<T>& c, Vec3<T> by, Vec3<T> x) {
 }
 /// Through the nearest of the side and the two caps; a tie goes to the side.
 template <class T>
-WEFT_HD Vec3<T> way_out(const Cylinder<T>& c, Vec3<T> by, Vec3<T> x) {
-  const Vec3<T> from = x - (c.a + by);
+WEFT_HD WayOut<T> way_out(const Cylinder<T>& c, Vec3<T> x) {
+  const Vec3<T> from = x - c.a;
   const T along = dot(from, c.axis);
-  const Vec3<T> across = from - along * c.axis;
-  const T distance = square_root(dot(across, across));
-  const bool on_axis = !(distance > T(0));
-  const T further = c.radius / (on_axis ? T(1) : distance) - T(1);
-  const Vec3<T> sideways = select(on_axis, c.radius * c.side, further * across);
-  const T to_side = c.radius - distance, to_top = c.length - along;
-  const T to_cap = along < to_top ? along : to_top;
-  const Vec3<T> over_cap = (along < to_top ? -along : to_top) * c.axis;
-  return select(to_side <= to_cap, sideways, over_cap);
+  const WayOut<T> sideways = way_out_of_ball(from - along * c.axis, c.radius, c.side);
+  const T to_top = c.length - along, to_cap = smaller(along, to_top);
+  const bool by_side = sideways.depth <= to_cap;
+  const Vec3<T> over_cap = (along < to_top ? T(-1) : T(1)) * c.axis;
+  return {select(by_side, sideways.normal, over_cap), by_side ? sideways.depth : to_cap};
 }
 
 /// Coordinates of x along the edges, from the centre.
 template <class T>
-WEFT_HD Vec3<T> in_box(const Box<T>& b, Vec3<T> by, Vec3<T> x) {
-  const Vec3<T> from = x - (b.center + by);
+WEFT_HD Vec3<T> in_box(const Box<T>& b, Vec3<T> x) {
+  const Vec3<T> from = x - b.center;
   return {dot(from, b.axis[0]), dot(from, b.axis[1]), dot(from, b.axis[2])};
 }
 template <class T>
@@ -93,8 +96,8 @@ WEFT_HD T magnitude(T a) {
   return a < T(0) ? -a : a;
 }
 template <class T>
-WEFT_HD bool is_inside(const Box<T>& b, Vec3<T> by, Vec3<T> x) {
-  const Vec3<T> p = in_box(b, by, x);
+WEFT_HD bool is_inside(const Box<T>& b, Vec3<T> x) {
+  const Vec3<T> p = in_box(b, x);
   const bool in_x = magnitude(p.x) < b.half.x;
   const bool in_y = magnitude(p.y) < b.half.y;
   const bool in_z = magnitude(p.z) < b.half.z;
@@ -102,40 +105,36 @@ WEFT_HD bool is_inside(const Box<T>& b, Vec3<T> by, Vec3<T> x) {
 }
 /// Through the nearest face; of equally near ones the first, and its positive side.
 template <class T>
-WEFT_HD Vec3<T> way_out(const Box<T>& b, Vec3<T> by, Vec3<T> x) {
-  const Vec3<T> p = in_box(b, by, x);
+WEFT_HD WayOut<T> way_out(const Box<T>& b, Vec3<T> x) {
+  const Vec3<T> p = in_box(b, x);
   const Vec3<T> depth = b.half - Vec3<T>{magnitude(p.x), magnitude(p.y), magnitude(p.z)};
-  const Vec3<T> out_x = (p.x < T(0) ? -depth.x : depth.x) * b.axis[0];
-  const Vec3<T> out_y = (p.y < T(0) ? -depth.y : depth.y) * b.axis[1];
-  const Vec3<T> out_z = (p.z < T(0) ? -depth.z : depth.z) * b.axis[2];
+  const Vec3<T> out_x = (p.x < T(0) ? T(-1) : T(1)) * b.axis[0];
+  const Vec3<T> out_y = (p.y < T(0) ? T(-1) : T(1)) * b.axis[1];
+  const Vec3<T> out_z = (p.z < T(0) ? T(-1) : T(1)) * b.axis[2];
   const bool y_before_z = depth.y <= depth.z;
-  const Vec3<T> yz = select(y_before_z, out_y, out_z);
   const T depth_yz = y_before_z ? depth.y : depth.z;
-  return select(depth.x <= depth_yz, out_x, yz);
+  const bool x_first = depth.x <= depth_yz;
+  return {select(x_first, out_x, select(y_before_z, out_y, out_z)), x_first ? depth.x : depth_yz};
 }
 
-/// The part of `push` that the velocity takes, as a factor in [0, 1]: all of it, unless a particle
-/// would then leave along the normal faster than it came (`slip`: its displacement relative to the
-/// surface's). One that rests deep inside is moved out but not thrown out (hard case 46).
+/// The part of the way out that the velocity takes, as a factor in [0, 1]: all of it, unless a
+/// particle would then leave along the normal faster than it came (`slip`: its displacement
+/// relative to the surface's). One that rests deep inside is moved out but not thrown out (hard
+/// case 46).
 template <class T>
-WEFT_HD T impact_share(Vec3<T> push, Vec3<T> slip) {
-  const T depth2 = dot(push, push);
-  const T most = square_root(dot(slip, slip)) * square_root(depth2) - dot(push, slip);
-  const T share = depth2 > T(0) ? most / depth2 : T(0);
-  return share < T(0) ? T(0) : (share > T(1) ? T(1) : share);
+WEFT_HD T impact_share(T depth, T slip_along_normal, T slip_length) {
+  const bool in = depth > T(0);
+  const T share = (slip_length - slip_along_normal) / (in ? depth : T(1));
+  return larger(T(0), smaller(T(1), share));
 }
 
-/// Coulomb friction as a displacement: the tangential slip is taken back, at most by `friction`
-/// times the normal displacement share * |push|. Within the cone nothing creeps.
+/// Coulomb friction as a displacement: takes back a slip along the surface, at most `most` of it,
+/// which is the coefficient times the normal displacement. Within the cone nothing creeps.
 template <class T>
-WEFT_HD Vec3<T> friction_displacement(Vec3<T> push, Vec3<T> slip, T share, T friction) {
-  const T depth2 = dot(push, push);
-  const T normal = depth2 > T(0) ? dot(push, slip) / depth2 : T(0);
-  const Vec3<T> tangential = slip - normal * push;
-  const T length = square_root(dot(tangential, tangential));
-  const T most = friction * (share * square_root(depth2));
+WEFT_HD Vec3<T> friction_against(Vec3<T> along, T most) {
+  const T length = square_root(dot(along, along));
   const T part = length > most ? most / length : T(1);
-  return select(depth2 > T(0), (-part) * tangential, Vec3<T>{T(0), T(0), T(0)});
+  return (-part) * along;
 }
 
 }  // namespace WEFT_BACKEND_NS

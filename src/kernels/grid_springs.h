@@ -8,6 +8,7 @@
 
 #include "base/lanes.h"
 #include "kernels/displacement.h"
+#include "kernels/fan.h"
 #include "kernels/spring.h"
 #include "kernels/stencil.h"
 #include "state/simulation.h"
@@ -17,6 +18,7 @@ namespace WEFT_BACKEND_NS {
 
 template <class T, class Stencil>
 struct GridSprings {
+  using Fan = GridFan<T>;
   static constexpr int neighbours = Stencil::neighbours;
   const uint16_t* presence;
   const uint8_t* inner;

@@ -1,11 +1,11 @@
-// The stages of a substep that know nothing of springs: forces on single particles, integration,
-// colliders and pins. kernels/advance.h puts them in order.
+// The stages of a substep that look at single particles: constant forces, integration and pins.
+// kernels/advance.h puts them in order.
 #pragma once
 
 #include "base/lanes.h"
-#include "kernels/colliders.h"
 #include "kernels/displacement.h"
 #include "kernels/integrate.h"
+#include "kernels/region.h"
 #include "state/simulation.h"
 
 namespace weft {
@@ -17,6 +17,17 @@ struct ParticleStages {
   ParticleBuffers<T> p;
   StepParams<T> step;
 
+  /// A sleeping cloth stands still: once its state is in every buffer, nothing is left to do.
+  template <int N>
+  WEFT_HD void rest(const ClothActivity<T>& activity, int i0, Lanes<N> lanes) const {
+    if (step.substep >= activity.settling) return;
+    lanes.each([&](int l) WEFT_LANE {
+      const Vec3<T> x = load(p.x_in, i0 + l);
+      store(p.x_out, i0 + l, x);
+      store(p.d_out, i0 + l, step.position_form ? x : Vec3<T>{T(0), T(0), T(0)});
+    });
+  }
+
   template <int N>
   WEFT_HD void add_constant_forces(const ClothParams<T>& cloth, int i0, Lanes<N> lanes,
                                    LaneVec3<T, N>& force) const {
@@ -24,25 +35,15 @@ struct ParticleStages {
     lanes.each([&](int l) WEFT_LANE { force.set(l, force.get(l) + load(sim.force, from + l)); });
   }
 
-  /// The stage that turns forces into positions.
-  template <int N>
-  WEFT_HD void integrate(const ClothParams<T>& cloth, int i0, Lanes<N> lanes,
+  /// The stage that turns forces into positions. Returns whether any particle of this call ended
+  /// outside of the region.
+  template <class Region, int N>
+  WEFT_HD bool integrate(const ClothParams<T>& cloth, const Region& region, int i0, Lanes<N> lanes,
                          const LaneVec3<T, N>& force) const {
     if (step.update == Update::summed) {
-      integrate_displacement<false>(cloth, i0, lanes, force);
-    } else {
-      integrate_otherwise(cloth, i0, lanes, force);
+      return integrate_displacement<false>(cloth, region, i0, lanes, force);
     }
-  }
-
-  /// Free particles against the cloth's colliders, one after the other.
-  template <int N>
-  WEFT_HD void collide(const ClothParams<T>& cloth, int i0, Lanes<N> lanes) const {
-    collide_with(sim.colliders.spheres, ColliderShape::sphere, cloth, i0, lanes);
-    collide_with(sim.colliders.planes, ColliderShape::plane, cloth, i0, lanes);
-    collide_with(sim.colliders.capsules, ColliderShape::capsule, cloth, i0, lanes);
-    collide_with(sim.colliders.cylinders, ColliderShape::cylinder, cloth, i0, lanes);
-    collide_with(sim.colliders.boxes, ColliderShape::box, cloth, i0, lanes);
+    return integrate_otherwise(cloth, region, i0, lanes, force);
   }
 
   /// Puts the moving pins of a block where they are at the end of the substep.
@@ -70,67 +71,78 @@ struct ParticleStages {
     return select(w > T(0), v, Vec3<T>{T(0), T(0), T(0)});
   }
 
-  /// Runs `next(i, d, a, w)` for every lane: last displacement, acceleration, inverse mass.
-  template <bool Position, int N, class Next>
-  WEFT_HD void for_each_particle(int i0, Lanes<N> lanes, const LaneVec3<T, N>& force,
-                                 Next next) const {
-    lanes.each([&](int l) WEFT_LANE {
+  /// Runs `next(i, d, a, w)`, which returns the new position, for every lane: last displacement,
+  /// acceleration, inverse mass.
+  template <bool Position, int N, class Region, class Next>
+  WEFT_HD bool for_each_particle(const Region& region, int i0, Lanes<N> lanes,
+                                 const LaneVec3<T, N>& force, Next next) const {
+    return region.any_outside(lanes, [&](int l) WEFT_LANE {
       const T w = sim.inverse_mass[i0 + l];
       const Vec3<T> a = if_free(w, w * force.get(l) + step.gravity);
-      next(i0 + l, displacement<Position>(p, i0 + l), a, w);
+      return next(i0 + l, displacement<Position>(p, i0 + l), a, w);
     });
   }
 
   /// x' = x + d', and in the summed form d' is kept. A pinned particle has no displacement left.
   template <bool Position>
-  WEFT_HD void move(int i, Vec3<T> d, T w) const {
-    const Vec3<T> moved = if_free(w, d);
-    store(p.x_out, i, load(p.x_in, i) + moved);
+  WEFT_HD Vec3<T> move(int i, Vec3<T> d, T w) const {
+    const Vec3<T> moved = if_free(w, d), x = load(p.x_in, i) + moved;
+    store(p.x_out, i, x);
     if constexpr (!Position) store(p.d_out, i, moved);
+    return x;
   }
 
-  template <bool Position, int N>
-  WEFT_HD void integrate_displacement(const ClothParams<T>& cloth, int i0, Lanes<N> lanes,
-                                      const LaneVec3<T, N>& force) const {
+  template <bool Position, class Region, int N>
+  WEFT_HD bool integrate_displacement(const ClothParams<T>& cloth, const Region& region, int i0,
+                                      Lanes<N> lanes, const LaneVec3<T, N>& force) const {
     const T c_dt = cloth.drag * step.dt;
     switch (static_cast<Drag>(cloth.drag_model)) {
       case Drag::none:
-        return for_each_particle<Position>(i0, lanes, force,
-                                           [&](int i, Vec3<T> d, Vec3<T> a, T w) WEFT_LANE {
-                                             move<Position>(i, next_displacement(d, a, step), w);
-                                           });
+        return for_each_particle<Position>(
+            region, i0, lanes, force, [&](int i, Vec3<T> d, Vec3<T> a, T w) WEFT_LANE {
+              return move<Position>(i, next_displacement(d, a, step), w);
+            });
       case Drag::central:
         return for_each_particle<Position>(
-            i0, lanes, force, [&](int i, Vec3<T> d, Vec3<T> a, T w) WEFT_LANE {
-              move<Position>(i, next_displacement_central(d, a, c_dt * w, step), w);
+            region, i0, lanes, force, [&](int i, Vec3<T> d, Vec3<T> a, T w) WEFT_LANE {
+              return move<Position>(i, next_displacement_central(d, a, c_dt * w, step), w);
             });
       case Drag::lagged:
         return for_each_particle<Position>(
-            i0, lanes, force, [&](int i, Vec3<T> d, Vec3<T> a, T w) WEFT_LANE {
-              move<Position>(i, next_displacement_lagged(d, a, c_dt * w, step), w);
+            region, i0, lanes, force, [&](int i, Vec3<T> d, Vec3<T> a, T w) WEFT_LANE {
+              return move<Position>(i, next_displacement_lagged(d, a, c_dt * w, step), w);
             });
     }
+    return false;
   }
 
   /// The updates that no frame of the summed form enters. A function of its own on the host: it
   /// would be in every kernel otherwise.
-  template <int N>
-  WEFT_HD_COLD void integrate_otherwise(const ClothParams<T>& cloth, int i0, Lanes<N> lanes,
-                                        const LaneVec3<T, N>& force) const {
-    if (step.update == Update::start) return integrate_start(cloth, i0, lanes, force);
+  template <class Region, int N>
+  WEFT_HD_COLD bool integrate_otherwise(const ClothParams<T>& cloth, const Region& region, int i0,
+                                        Lanes<N> lanes, const LaneVec3<T, N>& force) const {
+    if (step.update == Update::start) {
+      integrate_start(cloth, i0, lanes, force);
+      return false;
+    }
     if (step.update == Update::acceleration) {
-      return for_each_particle<false>(
-          i0, lanes, force, [&](int i, Vec3<T>, Vec3<T> a, T) WEFT_LANE { store(p.x_out, i, a); });
+      return for_each_particle<false>(Everywhere{}, i0, lanes, force,
+                                      [&](int i, Vec3<T>, Vec3<T> a, T) WEFT_LANE {
+                                        store(p.x_out, i, a);
+                                        return a;
+                                      });
     }
     if (static_cast<Drag>(cloth.drag_model) != Drag::none) {
-      return integrate_displacement<true>(cloth, i0, lanes, force);
+      return integrate_displacement<true>(cloth, region, i0, lanes, force);
     }
-    lanes.each([&](int l) WEFT_LANE {
+    return region.any_outside(lanes, [&](int l) WEFT_LANE {
       const int i = i0 + l;
       const T w = sim.inverse_mass[i];
       const Vec3<T> x = load(p.x_in, i);
       const Vec3<T> a = if_free(w, w * force.get(l) + step.gravity);
-      store(p.x_out, i, select(w > T(0), next_position(x, load(p.d_in, i), a, step), x));
+      const Vec3<T> next = select(w > T(0), next_position(x, load(p.d_in, i), a, step), x);
+      store(p.x_out, i, next);
+      return next;
     });
   }
 
@@ -143,59 +155,19 @@ struct ParticleStages {
     if (!cloth.starting) {
       lanes.each([&](int l) WEFT_LANE { store(p.d_out, i0 + l, load(p.d_in, i0 + l)); });
     } else if (step.position_form) {
-      for_each_particle<true>(i0, lanes, force, [&](int i, Vec3<T> d, Vec3<T> a, T w) WEFT_LANE {
-        store(p.d_out, i, load(p.x_in, i) - taylor_start(d, a, c_dt * w, step));
-      });
+      for_each_particle<true>(Everywhere{}, i0, lanes, force,
+                              [&](int i, Vec3<T> d, Vec3<T> a, T w) WEFT_LANE {
+                                const Vec3<T> x = load(p.x_in, i);
+                                store(p.d_out, i, x - taylor_start(d, a, c_dt * w, step));
+                                return x;
+                              });
     } else {
-      for_each_particle<false>(i0, lanes, force, [&](int i, Vec3<T> d, Vec3<T> a, T w) WEFT_LANE {
-        store(p.d_out, i, taylor_start(d, a, c_dt * w, step));
-      });
+      for_each_particle<false>(Everywhere{}, i0, lanes, force,
+                               [&](int i, Vec3<T> d, Vec3<T> a, T w) WEFT_LANE {
+                                 store(p.d_out, i, taylor_start(d, a, c_dt * w, step));
+                                 return d;
+                               });
     }
-  }
-
-  /// Blocks with no particle inside, which are most, pay for the test only.
-  template <class Shape, int N>
-  WEFT_HD void collide_with(const Shape* shapes, ColliderShape kind, const ClothParams<T>& cloth,
-                            int i0, Lanes<N> lanes) const {
-    const int k = static_cast<int>(kind);
-    for (int s = cloth.collider_first[k]; s < cloth.collider_end[k]; ++s) {
-      const Shape shape = shapes[s];
-      const Vec3<T> by = step.time * shape.surface.velocity;
-      const bool touched =
-          lanes.any([&](int l) WEFT_LANE { return is_inside(shape, by, load(p.x_out, i0 + l)); });
-      if (touched) push_out(shape, by, i0, lanes);
-    }
-  }
-
-  /// Moves the free particles of a block out of a collider. The displacement takes the same
-  /// correction as the position, not the difference of positions: that would round away what the
-  /// summed form keeps. In the position form it follows from the positions.
-  template <class Shape, int N>
-  WEFT_HD_COLD void push_out(const Shape& shape, Vec3<T> by, int i0, Lanes<N> lanes) const {
-    if (step.position_form) {
-      push_out_as<true>(shape, by, i0, lanes);
-    } else {
-      push_out_as<false>(shape, by, i0, lanes);
-    }
-  }
-
-  template <bool Position, class Shape, int N>
-  WEFT_HD void push_out_as(const Shape& shape, Vec3<T> by, int i0, Lanes<N> lanes) const {
-    const Vec3<T> carried = step.dt * shape.surface.velocity;
-    const T friction = shape.surface.friction;
-    lanes.each([&](int l) WEFT_LANE {
-      const int i = i0 + l;
-      const Vec3<T> x = load(p.x_out, i);
-      const bool free = sim.inverse_mass[i] > T(0), inside = is_inside(shape, by, x);
-      const bool hit = free & inside;
-      const Vec3<T> push = select(hit, way_out(shape, by, x), Vec3<T>{T(0), T(0), T(0)});
-      const Vec3<T> d = Position ? x - load(p.x_in, i) : load(p.d_out, i);
-      const Vec3<T> slip = d - carried;
-      const T share = impact_share(push, slip);
-      const Vec3<T> drag = friction_displacement(push, slip, share, friction);
-      store(p.x_out, i, x + (push + drag));
-      if constexpr (!Position) store(p.d_out, i, d + (share * push + drag));
-    });
   }
 };
 

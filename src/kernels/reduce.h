@@ -5,7 +5,6 @@
 #pragma once
 
 #include "base/lanes.h"
-#include "base/view.h"
 
 namespace weft {
 namespace WEFT_BACKEND_NS {
@@ -41,17 +40,6 @@ template <class T>
 struct ElementOf {
   const T* data;
   WEFT_HD T operator()(int i) const { return data[i]; }
-};
-
-/// 0 for a particle whose position is finite, else 1.
-template <class T>
-struct NotFinite {
-  Vec3Array<T> x;
-  WEFT_HD int32_t operator()(int i) const {
-    const Vec3<T> v = load(x, i);
-    const T zero = (v.x - v.x) + (v.y - v.y) + (v.z - v.z);
-    return zero == T(0) ? 0 : 1;
-  }
 };
 
 }  // namespace WEFT_BACKEND_NS

@@ -10,15 +10,20 @@ constexpr double spring_damping_flops = 22;  // the same, with velocities
 constexpr double integrate_flops = 22;       // w f + g, r d + h a, x + d
 constexpr double drag_flops = 10;
 constexpr double pin_flops = 9;
+constexpr double wind_flops = 62;   // of one triangle, for one of its corners
+constexpr double region_flops = 6;  // has the block left the region of its list of colliders?
+constexpr double survey_flops = 16, reach_flops = 6, normal_flops = 23;
 // Of the test alone: a particle that is inside pays 50 to 80 more.
 constexpr struct {
   const char* name;
   double flops;
-} shapes[collider_shapes] = {
-    {"spheres", 9}, {"planes", 6}, {"capsules", 20}, {"cylinders", 24}, {"boxes", 21}};
+} shapes[collider_shapes] = {{"sphere", 9},    {"plane", 6}, {"capsule", 20},
+                             {"cylinder", 24}, {"box", 21},  {"mesh", 25}};
 
 struct Sums {
   uint64_t particles = 0, springs = 0, forced = 0, dragged = 0, damped_springs = 0, pinned = 0;
+  uint64_t blown = 0;    ///< particles
+  double triangles = 0;  ///< corners of triangles, with the padding of sliced rows
   int64_t entries = 0;
 };
 
@@ -32,6 +37,10 @@ Sums sum_of(const WorldShape& world, KernelKind kind) {
     if (c.constant_forces) s.forced += c.particles;
     if (c.drag) s.dragged += c.particles;
     if (c.spring_damping) s.damped_springs += c.directed_springs;
+    if (c.triangles) {
+      s.triangles += is_grid(kind) ? 6.0 * c.particles : static_cast<double>(c.triangle_entries);
+      if (world.wind) s.blown += c.particles;
+    }
     s.pinned += uint64_t(c.moving_pin_blocks) * block_size;
   }
   return s;
@@ -53,6 +62,11 @@ Pass advance_pass(const WorldShape& world, KernelKind kind) {
   flops += drag_flops * static_cast<double>(s.dragged) / n;
   flops += 3 * static_cast<double>(s.forced) / n + pin_flops * static_cast<double>(s.pinned) / n;
   for (int k = 0; k < collider_shapes; ++k) flops += shapes[k].flops * world.colliders[k];
+  if (world.all_colliders() > 2) flops += region_flops;
+  if (s.blown > 0) {
+    flops += wind_flops * s.triangles / n;
+    if (!is_grid(kind)) bytes += 8 * s.triangles / n;
+  }
   bytes += 3 * scalar * static_cast<double>(s.forced) / n;
   bytes += (6 * scalar + 4) * static_cast<double>(s.pinned) / n;
 
@@ -60,13 +74,41 @@ Pass advance_pass(const WorldShape& world, KernelKind kind) {
   name += world.precision == Precision::float64 ? "_float64" : "_float32";
   if (world.position_form) name += " position";
   if (s.forced > 0) name += " +forces";
+  if (s.blown > 0) name += " +wind";
   if (s.damped_springs > 0) name += " +spring_damping";
   if (s.dragged > 0) name += " +drag";
   for (int k = 0; k < collider_shapes; ++k) {
-    if (world.colliders[k] > 0) name += std::string(" +") + shapes[k].name;
+    if (world.colliders[k] > 0) name += std::string(" +") + shapes[k].name + "_colliders";
   }
   if (s.pinned > 0) name += " +moving_pins";
-  return {"advance", name, s.particles, bytes, flops};
+  return {"advance", "substep", name, s.particles, bytes, flops};
+}
+
+/// Passes over all particles, whatever their kind.
+void add_other_passes(const WorldShape& world, Plan& plan) {
+  const double scalar = world.precision == Precision::float64 ? 8 : 4;
+  uint64_t particles = 0;
+  double corners = 0;
+  for (const ClothShape& c : world.cloths) {
+    particles += c.particles;
+    if (c.triangles) corners += is_grid(c.kind) ? 6.0 * c.particles : double(c.triangle_entries);
+  }
+  if (particles == 0) return;
+  if (world.all_colliders() > 2) {
+    const Pass reach{"reach",
+                     "frame",
+                     "near_colliders_of_blocks",
+                     particles,
+                     3 * scalar + sizeof(BlockReach<float>) / double(block_size),
+                     reach_flops};
+    plan.passes.insert(plan.passes.begin(), reach);
+  }
+  plan.passes.push_back(
+      {"survey", "frame", "bounds_speed_and_loss", particles, 6 * scalar, survey_flops});
+  if (world.normals) {
+    plan.passes.push_back({"normals", "call", "vertex_normals", particles, 6 * scalar,
+                           normal_flops * corners / static_cast<double>(particles)});
+  }
 }
 
 }  // namespace
@@ -101,6 +143,7 @@ Plan compile_plan(const WorldShape& world) {
     plan.ranges.back().count += blocks;
     first += blocks;
   }
+  add_other_passes(world, plan);
   return plan;
 }
 

@@ -18,8 +18,17 @@ struct ClothShape {
   bool constant_forces;
   bool drag;
   bool spring_damping;
+  bool triangles;            ///< feels wind, has normals
+  int64_t triangle_entries;  ///< sliced rows of triangles, padding included; 0 for grids
+  bool sleeps;
   uint32_t moving_pin_blocks;
   uint32_t blocks() const { return (particles + block_size - 1) / block_size; }
+};
+
+/// Of the arrays of one cooked collider mesh (state/collider_mesh.h): bytes, or offsets.
+struct MeshArrays {
+  static constexpr int count = 5;
+  size_t of[count];
 };
 
 struct WorldShape {
@@ -27,6 +36,10 @@ struct WorldShape {
   bool position_form = false;
   std::vector<ClothShape> cloths;
   uint32_t colliders[collider_shapes] = {};  ///< by ColliderShape
+  uint32_t turning_colliders = 0;
+  std::vector<MeshArrays> meshes;  ///< each that a collider uses, once
+  bool wind = false;
+  bool normals = false;   ///< of meshes: grids need nothing for theirs
   uint32_t motions = 0;   ///< of all cloths, and one for "none" when any pin moves
   uint32_t substeps = 1;  ///< most in a frame: motions are tabulated
 
@@ -35,6 +48,11 @@ struct WorldShape {
   bool any_rows() const;
   bool any_per_spring() const;
   bool any_spring_damping() const;
+  bool reads_velocities() const;  ///< of neighbours: displacements need two buffers
+  bool any_triangle_rows() const;
+  bool any_sleeper() const;
+  uint32_t all_colliders() const;
+  uint32_t survey_groups() const;
   uint64_t moving_pin_blocks() const;
   uint64_t blocks() const;
 };

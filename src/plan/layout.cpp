@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "state/scratch.h"
-
 namespace weft::plan {
 
 namespace {
@@ -46,8 +44,41 @@ size_t collider_bytes(int shape) {
       return sizeof(Cylinder<T>);
     case ColliderShape::box:
       return sizeof(Box<T>);
+    case ColliderShape::mesh:
+      return sizeof(MeshCollider<T>);
   }
   return 0;
+}
+
+/// Colliders, who is near them, and who sleeps.
+template <class T>
+void lay_out_activity(const WorldShape& world, Cutter& cut, Layout& l) {
+  const size_t cloths = world.cloths.size(), colliders = world.all_colliders();
+  if (colliders > 0 || world.any_sleeper()) {
+    l.activity = cut.take(cloths, sizeof(ClothActivity<T>));
+  }
+  if (colliders == 0) return;
+  uint32_t most = 0;
+  for (int shape = 0; shape < collider_shapes; ++shape) {
+    const size_t count = cloths * world.colliders[shape];
+    if (count > 0) l.colliders[shape] = cut.take(count, collider_bytes<T>(shape));
+    most = std::max(most, world.colliders[shape]);
+  }
+  l.every = cut.take(most, sizeof(int32_t));
+  l.near = cut.take(cloths * colliders, sizeof(int32_t));
+  l.near_reach = cut.take(cloths * colliders, sizeof(ReachOfCollider<T>));
+  l.block_reach = cut.take(world.blocks(), sizeof(BlockReach<T>));
+  if (world.turning_colliders > 0) {
+    const size_t rows = size_t(world.substeps) + 1;
+    l.turn = cut.take(rows * world.turning_colliders, sizeof(Mat3<T>));
+  }
+  for (const MeshArrays& m : world.meshes) {
+    MeshArrays offsets{};
+    for (int a = 0; a < MeshArrays::count; ++a) {
+      offsets.of[a] = m.of[a] > 0 ? cut.take(m.of[a], 1) : absent;
+    }
+    l.meshes.push_back(offsets);
+  }
 }
 
 }  // namespace
@@ -64,6 +95,28 @@ bool WorldShape::any_per_spring() const {
 }
 bool WorldShape::any_spring_damping() const {
   return std::any_of(cloths.begin(), cloths.end(), [](auto& c) { return c.spring_damping; });
+}
+bool WorldShape::reads_velocities() const {
+  const bool blown = wind && std::any_of(cloths.begin(), cloths.end(),
+                                         [](auto& c) { return c.triangles && c.particles > 0; });
+  return blown || any_spring_damping();
+}
+bool WorldShape::any_triangle_rows() const {
+  return (wind || normals) && std::any_of(cloths.begin(), cloths.end(),
+                                          [](auto& c) { return c.triangles && !is_grid(c.kind); });
+}
+bool WorldShape::any_sleeper() const {
+  return std::any_of(cloths.begin(), cloths.end(), [](auto& c) { return c.sleeps; });
+}
+uint32_t WorldShape::all_colliders() const {
+  uint32_t sum = 0;
+  for (const uint32_t count : colliders) sum += count;
+  return sum;
+}
+uint32_t WorldShape::survey_groups() const {
+  uint32_t sum = 0;
+  for (const ClothShape& c : cloths) sum += (c.blocks() + survey_blocks - 1) / survey_blocks;
+  return sum;
 }
 uint64_t WorldShape::moving_pin_blocks() const {
   uint64_t sum = 0;
@@ -98,7 +151,7 @@ Layout lay_out(const WorldShape& world, int particle_step) {
     l.x[2] = cut.take_vectors(particles, guard);
   } else {
     l.d[0] = cut.take_vectors(particles, guard);
-    l.d[1] = world.any_spring_damping() ? cut.take_vectors(particles, guard) : l.d[0];
+    l.d[1] = world.reads_velocities() ? cut.take_vectors(particles, guard) : l.d[0];
   }
   l.inverse_mass = cut.take(particles, scalar);
   l.block_cloth = cut.take(blocks, sizeof(int32_t));
@@ -115,11 +168,17 @@ Layout lay_out(const WorldShape& world, int particle_step) {
     if (own_stiffness > 0) l.stiffness = cut.take(entries, scalar);
   }
   if (forced > 0) l.force = cut.take_vectors(forced * block_size, 0);
-  const size_t cloths = world.cloths.size();
-  for (int shape = 0; shape < collider_shapes; ++shape) {
-    const size_t count = cloths * world.colliders[shape];
-    const size_t bytes = wide ? collider_bytes<double>(shape) : collider_bytes<float>(shape);
-    if (count > 0) l.colliders[shape] = cut.take(count, bytes);
+  if (world.any_triangle_rows()) {
+    size_t triangles = 0;
+    for (const ClothShape& c : world.cloths) triangles += static_cast<size_t>(c.triangle_entries);
+    l.triangle_start = cut.take(row_blocks + 1, sizeof(int64_t));
+    l.triangle_next = cut.take(triangles, sizeof(int32_t));
+    l.triangle_last = cut.take(triangles, sizeof(int32_t));
+  }
+  if (wide) {
+    lay_out_activity<double>(world, cut, l);
+  } else {
+    lay_out_activity<float>(world, cut, l);
   }
   if (const size_t pin_blocks = world.moving_pin_blocks(); pin_blocks > 0) {
     l.block_pins = cut.take(blocks, sizeof(int32_t));
@@ -128,7 +187,8 @@ Layout lay_out(const WorldShape& world, int particle_step) {
     l.pin_motion = cut.take(pin_blocks * block_size, sizeof(int32_t));
     l.pin_offset = cut.take(size_t(world.motions) * world.substeps, 3 * scalar);
   }
-  l.scratch = cut.take(reduce_scratch(particles), sizeof(int32_t));
+  l.survey_ranges = cut.take(world.survey_groups(), sizeof(SurveyRange));
+  l.survey = cut.take(world.survey_groups(), wide ? sizeof(Survey<double>) : sizeof(Survey<float>));
   l.bytes = cut.bytes();
   return l;
 }

@@ -24,10 +24,14 @@ struct Layout {
   size_t cloths = absent;
   size_t slice_start = absent, neighbour = absent, rest = absent, stiffness = absent;
   VectorArray force;
-  size_t colliders[collider_shapes] = {absent, absent, absent, absent, absent};
+  size_t triangle_start = absent, triangle_next = absent, triangle_last = absent;
+  size_t colliders[collider_shapes] = {absent, absent, absent, absent, absent, absent};
+  size_t turn = absent, every = absent, near = absent, near_reach = absent;
+  size_t activity = absent, block_reach = absent;
+  std::vector<MeshArrays> meshes;  ///< offsets, in the order of WorldShape::meshes
+  size_t survey_ranges = absent, survey = absent;
   VectorArray pin_base, pin_glide;
   size_t pin_motion = absent, pin_offset = absent;
-  size_t scratch = absent;
   size_t bytes = 0;
 };
 

@@ -10,6 +10,7 @@ namespace weft::plan {
 
 struct Pass {
   const char* stage;
+  const char* per;  ///< "substep", "frame" or "call"
   std::string kernel;
   uint64_t count;             ///< particles
   double bytes_per_particle;  ///< through memory once; neighbours come from cache

@@ -1,18 +1,23 @@
-// Colliders in a cloth's own frame, at the start of a frame, with their velocities.
+// Colliders in a cloth's own frame, at the start of a frame, with their motion in it.
 #pragma once
 
 #include "base/view.h"
+#include "state/collider_mesh.h"
 
 namespace weft {
 
-enum class ColliderShape : int32_t { sphere, plane, capsule, cylinder, box };
-constexpr int collider_shapes = 5;
+enum class ColliderShape : int32_t { sphere, plane, capsule, cylinder, box, mesh };
+constexpr int collider_shapes = 6;
 
-/// What every collider has.
+/// What every collider has. During a frame it is shifted by velocity * time and, if it turns,
+/// turned about its pivot: x = turn (start - pivot) + pivot + velocity * time.
 template <class T>
 struct Surface {
-  Vec3<T> velocity;  ///< m/s
+  Vec3<T> velocity;  ///< m/s, of the pivot
   T friction;        ///< coefficient of Coulomb friction
+  T sweep2;          ///< m^2: who moves further in a substep, squared, is swept
+  int32_t turn;      ///< its column in Colliders::turn; -1: it does not turn
+  Vec3<T> pivot;
 };
 
 template <class T>
@@ -51,6 +56,24 @@ struct Box {
   Vec3<T> half;             ///< half the length of the edges
   Surface<T> surface;
 };
+/// Triangles in a frame of their own: x = rotation * p + translate.
+template <class T>
+struct MeshCollider {
+  TriangleGrid<T> grid;
+  Mat3<T> rotation;
+  Vec3<T> translate;
+  Surface<T> surface;
+};
+
+/// Where a collider can be in this frame: in the box, in the ball, and below the plane dot(normal,
+/// x) = offset. What does not limit a shape is endless; a normal of 0 goes with an offset of 1.
+template <class T>
+struct ReachOfCollider {
+  Vec3<T> low, high, center;
+  T radius2;
+  Vec3<T> normal;
+  T offset;
+};
 
 template <class T>
 struct Colliders {
@@ -59,6 +82,12 @@ struct Colliders {
   const Capsule<T>* capsules;
   const Cylinder<T>* cylinders;
   const Box<T>* boxes;
+  const MeshCollider<T>* meshes;
+  const Mat3<T>* turn;   ///< [substep + 1][column]: since the start of the frame, row 0: not at all
+  int turns;             ///< columns
+  const int32_t* every;  ///< 0, 1, 2, ...: the list of all colliders of a shape
+  const int32_t* near;   ///< lists of ClothActivity: index among those of a shape
+  const ReachOfCollider<T>* reach;  ///< of the entries of `near`
 };
 
 }  // namespace weft

@@ -27,7 +27,9 @@ struct ClothParams {
   int drag_model;             ///< state/step.h, Drag
   int starting;               ///< 1: the start pass is its first
   int force_offset;           ///< element of the first force minus `first`; no_forces: none
-  int collider_first[collider_shapes], collider_end[collider_shapes];
+  int in_wind;                ///< it has triangles and there is wind
+  int axial[4];  ///< grids: presence bits of the neighbours +column, +row, -column, -row
+  int collider_first[collider_shapes], collider_count[collider_shapes];
 };
 
 constexpr int no_forces = INT32_MIN;

@@ -1,11 +1,13 @@
 // All that a frame works on, as plain views of device memory. Copied into every kernel launch.
 #pragma once
 
+#include "state/activity.h"
 #include "state/colliders.h"
 #include "state/particles.h"
 #include "state/pins.h"
 #include "state/springs.h"
 #include "state/step.h"
+#include "state/triangles.h"
 
 namespace weft {
 
@@ -28,7 +30,13 @@ struct Simulation {
   const T* inverse_mass;     ///< 0: pinned, or padding
   Vec3Array<T> force;        ///< constant forces of the cloths that have any
   SlicedRows<T> rows;
+  TriangleRows triangles;
   Colliders<T> colliders;
+  const ClothActivity<T>* activity;  ///< null: no colliders, and nobody sleeps
+  BlockReach<T>* reach;              ///< by block; null without colliders
+  const SurveyRange* survey_ranges;
+  Survey<T>* survey;
+  int survey_count;
   MovingPins<T> pins;
   BlockRange ranges[most_block_ranges];
   int range_count;

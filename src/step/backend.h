@@ -36,11 +36,12 @@ class Backend {
   virtual Status start(Frame<double>&) const noexcept = 0;
   virtual Status accelerations(const Frame<float>&) const noexcept = 0;
   virtual Status accelerations(const Frame<double>&) const noexcept = 0;
-  /// `scratch`: reduce_scratch(particles) elements of device memory.
-  virtual Status count_not_finite(const Frame<float>&, int32_t* scratch,
-                                  int32_t& count) const noexcept = 0;
-  virtual Status count_not_finite(const Frame<double>&, int32_t* scratch,
-                                  int32_t& count) const noexcept = 0;
+  /// What run_frame leaves behind, for state that no frame has made.
+  virtual Status survey(const Frame<float>&) const noexcept = 0;
+  virtual Status survey(const Frame<double>&) const noexcept = 0;
+  /// Unit normals into x[1].
+  virtual Status normals(const Frame<float>&) const noexcept = 0;
+  virtual Status normals(const Frame<double>&) const noexcept = 0;
 
   /// Sum over the fixed tree of step/reduce.h, of device memory into scratch[...]; the sum comes
   /// back.

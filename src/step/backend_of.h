@@ -43,14 +43,10 @@ class BackendOf final : public Backend {
   Status accelerations(const Frame<double>& f) const noexcept override {
     return do_accelerations(f);
   }
-  Status count_not_finite(const Frame<float>& f, int32_t* scratch,
-                          int32_t& count) const noexcept override {
-    return do_count(f, scratch, count);
-  }
-  Status count_not_finite(const Frame<double>& f, int32_t* scratch,
-                          int32_t& count) const noexcept override {
-    return do_count(f, scratch, count);
-  }
+  Status survey(const Frame<float>& f) const noexcept override { return do_survey(f); }
+  Status survey(const Frame<double>& f) const noexcept override { return do_survey(f); }
+  Status normals(const Frame<float>& f) const noexcept override { return do_normals(f); }
+  Status normals(const Frame<double>& f) const noexcept override { return do_normals(f); }
   Status sum(const float* device, int count, float* scratch, int threads,
              float& total) const noexcept override {
     return do_sum(device, count, scratch, threads, total);
@@ -90,10 +86,16 @@ class BackendOf final : public Backend {
     return Device::finish();
   }
   template <class T>
-  static Status do_count(const Frame<T>& f, int32_t* scratch, int32_t& count) {
+  static Status do_survey(const Frame<T>& f) {
     auto e = exec(f);
-    const int32_t* result = run_count_not_finite(e, f, scratch);
-    return Device::to_host(&count, result, sizeof count);
+    run_survey(e, f);
+    return Device::finish();
+  }
+  template <class T>
+  static Status do_normals(const Frame<T>& f) {
+    auto e = exec(f);
+    run_normals(e, f);
+    return Device::finish();
   }
   template <class T>
   static Status do_sum(const T* device, int count, T* scratch, int threads, T& total) {

@@ -13,7 +13,9 @@ struct Frame {
   double dt;         ///< s, of every substep of this frame
   double dt_before;  ///< s, of the last substep before this frame
   Vec3<T> gravity;
-  int threads;  ///< most that the host back end may use
+  Wind<T> wind;
+  bool by_block;  ///< some cloth has a list of colliders for each of its blocks
+  int threads;    ///< most that the host back end may use
 };
 
 }  // namespace weft

@@ -1,11 +1,17 @@
 // One step of the simulation, on one page.
 //
-//   frame:    substep, substep, ...                       one parallel region, one enqueue
-//   substep:  advance = forces | integration | colliders | pins      one pass over all particles
+//   frame:    reach?, substep, substep, ..., survey       one parallel region, one enqueue
+//   reach:    which colliders each block can touch        where a cloth has many near it
+//   substep:  advance = forces | wind? | integration | colliders? | pins?    one pass over all
 //             swap:     what was written becomes what is read
+//   survey:   where the cloths are, how fast, whether any particle is lost
 #pragma once
 
+#include "kernels/normals.h"
+#include "kernels/reach.h"
+#include "kernels/survey.h"
 #include "step/exec_contract.h"
+#include "step/fans.h"
 #include "step/frame.h"
 #include "step/reduce.h"
 #include "step/variants.h"
@@ -50,9 +56,11 @@ StepParams<T> step_params(const Frame<T>& frame, int s) {
   step.ratio = T(frame.dt / before);
   step.a_factor = T(0.5 * frame.dt * (frame.dt + before));
   step.time = T((s + 1) * frame.dt);
+  step.time_before = T(s * frame.dt);
   step.fraction = T(double(s + 1) / frame.substeps);
   step.substep = s;
   step.gravity = frame.gravity;
+  step.wind = frame.wind;
   return step;
 }
 
@@ -64,8 +72,20 @@ void advance(const Team& team, const Simulation<T>& sim, const ParticleBuffers<T
     const BlockRange range = sim.ranges[r];
     with_springs(range.kind, sim, [&](auto springs) {
       using Kernel = Advance<T, decltype(springs)>;
-      team.for_each_block(range.count, Kernel{{sim, p, step}, springs, range.first});
+      const auto fan = fan_of(sim, static_cast<const typename Kernel::Fan*>(nullptr));
+      team.for_each_block(range.count, Kernel{{sim, p, step}, springs, fan, range.first});
     });
+  }
+  team.meet();
+}
+
+template <class T, class Team>
+void survey(const Team& team, const Simulation<T>& sim, bool position_form) {
+  const ParticleBuffers<T> p = buffers(sim, position_form);
+  if (position_form) {
+    team.for_each_block(sim.survey_count, SurveyParticles<T, true>{sim, p});
+  } else {
+    team.for_each_block(sim.survey_count, SurveyParticles<T, false>{sim, p});
   }
   team.meet();
 }
@@ -75,10 +95,15 @@ template <class T, class Exec>
 void run_frame(Exec& exec, Frame<T>& frame) {
   exec.frame([&frame](const auto& team) {
     Simulation<T> sim = frame.sim;
+    if (frame.by_block) {
+      team.for_each_block(sim.blocks, ReachOfBlocks<T>{sim, sim.x[0]});
+      team.meet();
+    }
     for (int s = 0; s < frame.substeps; ++s) {
       advance(team, sim, buffers(sim, frame.position_form), step_params(frame, s));
       swap_buffers(sim, frame.position_form);
     }
+    survey(team, sim, frame.position_form);
   });
   for (int s = 0; s < frame.substeps % 6; ++s) swap_buffers(frame.sim, frame.position_form);
 }
@@ -123,11 +148,27 @@ const T* run_reduce(Exec& exec, const Value& value, int count, T* scratch) {
   return result;
 }
 
-/// Number of particles whose position is not finite.
+/// A survey without a step, for state that is new.
 template <class T, class Exec>
-const int32_t* run_count_not_finite(Exec& exec, const Frame<T>& frame, int32_t* scratch) {
-  const NotFinite<T> value{frame.sim.x[0]};
-  return run_reduce(exec, value, frame.sim.blocks * block_size, scratch);
+void run_survey(Exec& exec, const Frame<T>& frame) {
+  exec.frame([&](const auto& team) { survey(team, frame.sim, frame.position_form); });
+}
+
+/// Writes the normal of every vertex to x[1].
+template <class T, class Exec>
+void run_normals(Exec& exec, const Frame<T>& frame) {
+  exec.frame([&](const auto& team) {
+    const Simulation<T>& sim = frame.sim;
+    for (int r = 0; r < sim.range_count; ++r) {
+      const BlockRange range = sim.ranges[r];
+      with_fan(range.kind, sim, [&](auto fan) {
+        team.for_each_block(
+            range.count, VertexNormals<T, decltype(fan)>{fan, sim.cloths, sim.block.cloth, sim.x[0],
+                                                         sim.x[1], range.first});
+      });
+    }
+    team.meet();
+  });
 }
 
 template <class T, class Exec>

@@ -17,22 +17,22 @@ struct GoldenHash {
 inline constexpr uint64_t golden_input = 0x4d5fe493d0e32771;
 
 inline constexpr GoldenHash golden_hashes[] = {
-    {Scene::grids, {weft::Precision::float32, weft::Form::summed}, 0x36709488e5edd7a8},
-    {Scene::grids, {weft::Precision::float32, weft::Form::position}, 0x286be6b21ccfc7c2},
-    {Scene::grids, {weft::Precision::float64, weft::Form::summed}, 0xb10401c77520c76b},
-    {Scene::grids, {weft::Precision::float64, weft::Form::position}, 0xd71a7e129d64c795},
-    {Scene::mesh, {weft::Precision::float32, weft::Form::summed}, 0x41cea6aca5908963},
-    {Scene::mesh, {weft::Precision::float32, weft::Form::position}, 0x85c203796d52522d},
-    {Scene::mesh, {weft::Precision::float64, weft::Form::summed}, 0x951741850b7886c9},
-    {Scene::mesh, {weft::Precision::float64, weft::Form::position}, 0xf54ebab12abf7b31},
-    {Scene::network, {weft::Precision::float32, weft::Form::summed}, 0xe094c1f8ea9ca583},
-    {Scene::network, {weft::Precision::float32, weft::Form::position}, 0x9093fdf12aa8dcce},
-    {Scene::network, {weft::Precision::float64, weft::Form::summed}, 0x9164d17f896fed87},
-    {Scene::network, {weft::Precision::float64, weft::Form::position}, 0x8913dc9f51fa8c8f},
-    {Scene::mixed, {weft::Precision::float32, weft::Form::summed}, 0xc11bf8e96f3ac9e1},
-    {Scene::mixed, {weft::Precision::float32, weft::Form::position}, 0xed5635ce80acb77d},
-    {Scene::mixed, {weft::Precision::float64, weft::Form::summed}, 0xa13acac31d98e50e},
-    {Scene::mixed, {weft::Precision::float64, weft::Form::position}, 0x6f66dbea42cb3225},
+    {Scene::grids, {weft::Precision::float32, weft::Form::summed}, 0xd2497d519fc27554},
+    {Scene::grids, {weft::Precision::float32, weft::Form::position}, 0xb2e003a5906a335c},
+    {Scene::grids, {weft::Precision::float64, weft::Form::summed}, 0xa164818cc42af0a1},
+    {Scene::grids, {weft::Precision::float64, weft::Form::position}, 0x145c07af1f4dbc03},
+    {Scene::mesh, {weft::Precision::float32, weft::Form::summed}, 0x5069a281ca078a74},
+    {Scene::mesh, {weft::Precision::float32, weft::Form::position}, 0x8549135f10b46a9b},
+    {Scene::mesh, {weft::Precision::float64, weft::Form::summed}, 0x06b860f4fb690252},
+    {Scene::mesh, {weft::Precision::float64, weft::Form::position}, 0x09e032894b5090ac},
+    {Scene::network, {weft::Precision::float32, weft::Form::summed}, 0x350bc30a7569f257},
+    {Scene::network, {weft::Precision::float32, weft::Form::position}, 0x164142d2cf88d828},
+    {Scene::network, {weft::Precision::float64, weft::Form::summed}, 0xb14fea1ecfcd64cc},
+    {Scene::network, {weft::Precision::float64, weft::Form::position}, 0x269873041e67ede5},
+    {Scene::mixed, {weft::Precision::float32, weft::Form::summed}, 0x71aef02a86814372},
+    {Scene::mixed, {weft::Precision::float32, weft::Form::position}, 0x427cdbbf1cc8316a},
+    {Scene::mixed, {weft::Precision::float64, weft::Form::summed}, 0xc25fc795b81b70cb},
+    {Scene::mixed, {weft::Precision::float64, weft::Form::position}, 0x1bfd401c240c14ee},
 };
 
 }  // namespace weft_tests

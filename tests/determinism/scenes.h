@@ -101,6 +101,31 @@ inline void add_graph(TestWorld& test, uint32_t count) {
   add_network(test, parts, desc);
 }
 
+/// A rough surface of triangles in the middle of it all.
+inline void add_wavy_collider(TestWorld& test) {
+  constexpr uint32_t n = 20;
+  reference::SplitMix random(5);
+  std::vector<weft::double3> x;
+  for (Vec p : reference::grid_positions(n, n))
+    x.push_back(to_weft(Vec{3 * p.x, 0.1 * random.uniform(), 3 * p.y}));
+  std::vector<uint32_t> indices;
+  for (uint32_t r = 0; r + 1 < n; ++r)
+    for (uint32_t c = 0; c + 1 < n; ++c) {
+      const uint32_t i = r * n + c;
+      for (uint32_t corner : {i, i + n + 1, i + 1, i, i + n, i + n + 1}) indices.push_back(corner);
+    }
+  weft::ColliderMeshDesc desc;
+  desc.positions = weft::View<weft::double3>(x);
+  desc.indices = indices;
+  desc.thickness = 0.02;
+  weft::MeshColliderDesc mesh;
+  mesh.mesh = test.cook(desc);
+  mesh.pose.translate = {0, -0.3, -2};
+  mesh.velocity = {0, 0.3, 0};
+  mesh.friction = 0.2;
+  test.take(test.world().create_mesh(mesh));
+}
+
 inline void add_colliders(TestWorld& test) {
   weft::SphereDesc sphere;
   sphere.center = {0.5, 0.1, -1.2};
@@ -111,7 +136,25 @@ inline void add_colliders(TestWorld& test) {
   plane.normal = {0.1, 1, 0.2};
   plane.offset = -0.1;
   plane.velocity = {0, 0.2, 0};
+  plane.friction = 0.3;
   test.take(test.world().create_plane(plane));
+  weft::BoxDesc box;
+  box.center = {2.5, -0.2, -1.3};
+  box.half = {0.4, 0.3, 0.5};
+  box.friction = 0.4;
+  const weft::ColliderId turning = test.take(test.world().create_box(box));
+  weft::Pose pose;
+  pose.axis = {0, 1, 0.2};
+  pose.degrees = 20;
+  pose.translate = {0.3, 0.4, 0};
+  test.check(test.world().move_collider(turning, pose));
+  add_wavy_collider(test);
+}
+
+inline void add_wind(TestWorld& test) {
+  weft::WindDesc wind;
+  wind.velocity = {3, 0.5, 2};
+  test.check(test.world().set_wind(wind));
 }
 
 inline void add_cloths(TestWorld& test, Scene scene) {
@@ -123,6 +166,7 @@ inline void add_cloths(TestWorld& test, Scene scene) {
 /// More than a thousand particles: enough that a step uses every thread.
 inline void add_scene(TestWorld& test, Scene scene) {
   add_colliders(test);
+  if (scene == Scene::mesh || scene == Scene::mixed) add_wind(test);
   add_cloths(test, scene);
 }
 

@@ -41,7 +41,7 @@ struct TwoBlocks {
     cloth.drag_model = int(Drag::central);
     cloth.spring_damping = 0.01f;
     cloth.force_offset = no_forces;
-    for (int& end : cloth.collider_end) end = 1;
+    for (int k = 0; k < 5; ++k) cloth.collider_count[k] = 1;
   }
   Vec3Array<float> view(int k) { return {arrays[k].data() + guard, pitch}; }
   void set(int k, int i, Vec3<float> v) { store(view(k), i, v); }
@@ -52,13 +52,23 @@ struct TwoBlocks {
     sim.block = {block_cloth, block_inner, nullptr};
     sim.presence = presence.data();
     sim.inverse_mass = w.data();
-    sim.colliders = {&sphere, &plane, &capsule, &cylinder, &box};
+    sim.colliders.spheres = &sphere;
+    sim.colliders.planes = &plane;
+    sim.colliders.capsules = &capsule;
+    sim.colliders.cylinders = &cylinder;
+    sim.colliders.boxes = &box;
+    sim.colliders.every = &zero;
+    sim.activity = &activity;
+    sim.reach = reach;
     StepParams<float> step{};
     step.dt = 0.002f;
     step.ratio = 1;
     step.a_factor = 0.002f * 0.002f;
     step.gravity = {0, -9.81f, 0};
-    return {{sim, {view(0), view(1), view(2), view(3)}, step}, {presence.data(), block_inner}, 0};
+    return {{sim, {view(0), view(1), view(2), view(3)}, step},
+            {presence.data(), block_inner},
+            {presence.data(), block_inner},
+            0};
   }
 
   std::vector<float> arrays[4], w;
@@ -66,12 +76,23 @@ struct TwoBlocks {
   ClothParams<float> cloth{};
   int32_t block_cloth[2] = {0, 0};
   uint8_t block_inner[2] = {0, 0};
-  Sphere<float> sphere{{0.35f, 0.3f, 0}, 0.15f, {{0, 0, 0}, 0}};
-  Plane<float> plane{{0, 1, 0}, 0.02f, {{0.1f, 0, 0}, 0.3f}};
-  Capsule<float> capsule{{0.6f, 0.5f, 0}, {0.1f, 0, 0}, 100, 0.1f, {0, 1, 0}, {{0, 0, 0}, 0.2f}};
-  Cylinder<float> cylinder{{0.05f, 0.6f, -0.2f}, {0, 0, 1}, 0.4f, 0.08f, {1, 0, 0}, {{0, 0, 0}, 0}};
-  Box<float> box{
-      {0.7f, 0.1f, 0}, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {0.06f, 0.05f, 0.2f}, {{0, 0, 0}, 0.5f}};
+  int32_t zero = 0;
+  ClothActivity<float> activity{};
+  BlockReach<float> reach[2] = {};
+  Sphere<float> sphere{{0.35f, 0.3f, 0}, 0.15f, {{0, 0, 0}, 0, 0.01f, -1, {0, 0, 0}}};
+  Plane<float> plane{{0, 1, 0}, 0.02f, {{0.1f, 0, 0}, 0.3f, 0.01f, -1, {0, 0, 0}}};
+  Capsule<float> capsule{
+      {0.6f, 0.5f, 0}, {0.1f, 0, 0}, 100, 0.1f, {0, 1, 0}, {{0, 0, 0}, 0.2f, 0.01f, -1, {0, 0, 0}}};
+  Cylinder<float> cylinder{{0.05f, 0.6f, -0.2f},
+                           {0, 0, 1},
+                           0.4f,
+                           0.08f,
+                           {1, 0, 0},
+                           {{0, 0, 0}, 0, 0.01f, -1, {0, 0, 0}}};
+  Box<float> box{{0.7f, 0.1f, 0},
+                 {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
+                 {0.06f, 0.05f, 0.2f},
+                 {{0, 0, 0}, 0.5f, 0.01f, -1, {0, 0, 0}}};
 };
 
 TEST(Advance, AWarpAndABlockGiveTheSameBits) {

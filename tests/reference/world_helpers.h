@@ -78,8 +78,9 @@ class TestWorld {
   const std::string& log() const { return log_; }
   void clear_log() { log_.clear(); }
 
+  /// A Fabric, or a ColliderMesh.
   template <class Desc>
-  weft::Fabric cook(const Desc& desc) {
+  auto cook(const Desc& desc) {
     return take(context_.cook(desc));
   }
   weft::ClothId add(const weft::ClothDesc& desc) { return take(world_.create_cloth(desc)); }

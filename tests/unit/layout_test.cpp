@@ -40,8 +40,17 @@ TEST(Layout, EachEffectAddsItsOwnBuffersOnly) {
   forced.cloths[0].constant_forces = true;
   EXPECT_GE(lay_out(forced, 1).bytes - bare, 12u * 64 * 64);
   WorldShape sphere = grid_world(64);
-  sphere.colliders[0] = 1;
-  EXPECT_LE(lay_out(sphere, 1).bytes - bare, 128u);
+  sphere.colliders[0] = 1;  // with its lists and a region for each block
+  EXPECT_LE(lay_out(sphere, 1).bytes - bare, 32u * 128 + 6 * 128);
+  WorldShape blown = grid_world(64);
+  blown.wind = blown.cloths[0].triangles = true;
+  EXPECT_EQ(lay_out(blown, 1).bytes - bare, vectors);
+  WorldShape sleepy = grid_world(64);
+  sleepy.cloths[0].sleeps = true;
+  EXPECT_LE(lay_out(sleepy, 1).bytes - bare, 128u);
+  WorldShape shown = grid_world(64);
+  shown.normals = true;
+  EXPECT_EQ(lay_out(shown, 1).bytes, bare);
 }
 
 TEST(Layout, GuardBandsHoldEveryStencilLoad) {

@@ -13,12 +13,15 @@ ClothShape grid(uint32_t particles) {
   return c;
 }
 
-TEST(Plan, ABareSheetIsOnePass) {
+TEST(Plan, ABareSheetIsOnePassPerSubstepAndOnePerFrame) {
   WorldShape world;
   world.cloths = {grid(4096)};
   const Plan plan = compile_plan(world);
-  ASSERT_EQ(plan.passes.size(), 1u);
+  ASSERT_EQ(plan.passes.size(), 2u);
   EXPECT_STREQ(plan.passes[0].stage, "advance");
+  EXPECT_STREQ(plan.passes[0].per, "substep");
+  EXPECT_STREQ(plan.passes[1].stage, "survey");
+  EXPECT_STREQ(plan.passes[1].per, "frame");
   EXPECT_EQ(plan.passes[0].kernel, "grid_seed12_float32");
   EXPECT_EQ(plan.passes[0].count, 4096u);
   // x, d read and written, and the inverse mass: 52 bytes, and the block tables.
@@ -41,7 +44,7 @@ TEST(Plan, EveryNamedEffectShowsInThePassAndCosts) {
   world.colliders[0] = 1;
   world.cloths[0].drag = world.cloths[0].spring_damping = true;
   const Pass more = compile_plan(world).passes[0];
-  EXPECT_EQ(more.kernel, "grid_seed12_float32 +spring_damping +drag +spheres");
+  EXPECT_EQ(more.kernel, "grid_seed12_float32 +spring_damping +drag +sphere_colliders");
   EXPECT_GT(more.flops_per_particle, bare.flops_per_particle);
 }
 

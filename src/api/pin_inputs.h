@@ -1,4 +1,4 @@
-// What changes from frame to frame: colliders, moving pins and their motions. Staged on the host in
+// What changes from frame to frame: moving pins and their motions. Staged on the host in
 // memory that is sized when the arena is built, so that a step allocates nothing.
 #pragma once
 
@@ -7,9 +7,9 @@
 namespace weft::api {
 
 template <class T>
-class FrameInputs {
+class PinInputs {
  public:
-  explicit FrameInputs(const Backend& backend) : backend_(backend) {}
+  explicit PinInputs(const Backend& backend) : backend_(backend) {}
 
   /// Gives a slot to every pin that can move, names their blocks in the image, and sizes the
   /// staging.
@@ -24,19 +24,11 @@ class FrameInputs {
     size_t slot;
   };
 
-  Status upload_colliders(const ArenaInput&, double time, const plan::Layout&, char* base);
-  void stage_collider(const ColliderRecord&, double time, const double3& origin, size_t* next);
-  Status upload_pins(const ArenaInput&, const FrameInput&, const plan::Layout&, char* base);
   void stage_pins();
   void stage_motions(const ArenaInput&, const FrameInput&);
   size_t vector_element(size_t slot, size_t component, const plan::VectorArray&) const;
 
   const Backend& backend_;
-  std::vector<Sphere<T>> spheres_;
-  std::vector<Plane<T>> planes_;
-  std::vector<Capsule<T>> capsules_;
-  std::vector<Cylinder<T>> cylinders_;
-  std::vector<Box<T>> boxes_;
   std::vector<PinSlot> slots_;
   std::vector<int32_t> motion_;
   std::vector<T> base_, glide_;   ///< arrays of vectors in the back end's layout

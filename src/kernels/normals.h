@@ -1,0 +1,45 @@
+// Unit normals of the vertices, weighted by the areas of their triangles.
+#pragma once
+
+#include "kernels/fan.h"
+
+namespace weft {
+namespace WEFT_BACKEND_NS {
+
+/// Zero where there is no area, finite everywhere (hard case 7).
+template <class T>
+WEFT_HD Vec3<T> unit_or_zero(Vec3<T> v) {
+  const T length = square_root(dot(v, v));
+  const bool has_length = length > T(0);
+  const T scale = T(1) / (has_length ? length : T(1));
+  return select(has_length, scale * v, Vec3<T>{T(0), T(0), T(0)});
+}
+
+template <class T, class Fan>
+struct VertexNormals {
+  Fan fan;
+  const ClothParams<T>* cloths;
+  const int32_t* cloth_of_block;
+  Vec3Array<T> x, out;
+  int first_block;
+
+  template <int N>
+  WEFT_HD void operator()(int index, int lane0, Lanes<N> lanes) const {
+    const int block = first_block + index;
+    const int i0 = block * block_size + lane0;
+    const ClothParams<T>& cloth = cloths[cloth_of_block[block]];
+    LaneVec3<T, N> sum;
+    T unused[N];
+    const Vec3Array<T> from = x;
+    fan.sum_triangles(
+        cloth, block, i0, lanes, [=](int i) WEFT_LANE { return load(from, i); },
+        [=](Vec3<T> here, Vec3<T> next, Vec3<T> last) WEFT_LANE {
+          return TriangleShare<T>{cross(next - here, last - here), T(0)};
+        },
+        sum, unused);
+    lanes.each([&](int l) WEFT_LANE { store(out, i0 + l, unit_or_zero(sum.get(l))); });
+  }
+};
+
+}  // namespace WEFT_BACKEND_NS
+}  // namespace weft

@@ -1,0 +1,60 @@
+// Which of a cloth's near colliders each block can touch in the coming frame (state/activity.h).
+#pragma once
+
+#include "base/lanes.h"
+#include "state/simulation.h"
+
+namespace weft {
+namespace WEFT_BACKEND_NS {
+
+/// Whether a box has a point in common with what a collider sweeps through.
+template <class T>
+WEFT_HD bool can_touch(Vec3<T> low, Vec3<T> high, const ReachOfCollider<T>& c) {
+  const bool in_x = (low.x <= c.high.x) & (high.x >= c.low.x);
+  const bool in_y = (low.y <= c.high.y) & (high.y >= c.low.y);
+  const bool in_z = (low.z <= c.high.z) & (high.z >= c.low.z);
+  const Vec3<T> lowest{c.normal.x > T(0) ? low.x : high.x, c.normal.y > T(0) ? low.y : high.y,
+                       c.normal.z > T(0) ? low.z : high.z};
+  const bool below = dot(c.normal, lowest) <= c.offset;
+  const Vec3<T> nearest{larger(low.x, smaller(high.x, c.center.x)),
+                        larger(low.y, smaller(high.y, c.center.y)),
+                        larger(low.z, smaller(high.z, c.center.z))};
+  const Vec3<T> from = nearest - c.center;
+  const bool in_ball = dot(from, from) <= c.radius2;
+  return in_x & in_y & in_z & below & in_ball;
+}
+
+template <class T>
+struct ReachOfBlocks {
+  Simulation<T> sim;
+  Vec3Array<T> x;
+
+  template <int N>
+  WEFT_HD void operator()(int block, int lane0, Lanes<N> lanes) const {
+    const ClothActivity<T>& activity = sim.activity[sim.block.cloth[block]];
+    if (activity.nearness != Nearness::block) return;
+    const int i0 = block * block_size + lane0;
+    LaneVec3<T, N> least, most;
+    lanes.each([&](int l) WEFT_LANE {
+      least.set(l, load(x, i0 + l));
+      most.set(l, load(x, i0 + l));
+    });
+    const T m = activity.margin;
+    BlockReach<T> reach{};
+    reach.low = {smallest_of_lanes(least.x, lanes) - m, smallest_of_lanes(least.y, lanes) - m,
+                 smallest_of_lanes(least.z, lanes) - m};
+    reach.high = {largest_of_lanes(most.x, lanes) + m, largest_of_lanes(most.y, lanes) + m,
+                  largest_of_lanes(most.z, lanes) + m};
+    if (lane0 != 0) return;
+    const int first = activity.near_first[0], end = activity.near_end[collider_shapes - 1];
+    for (int j = first; j < end && j < first + 64; ++j) {
+      if (can_touch(reach.low, reach.high, sim.colliders.reach[j])) {
+        reach.mask |= uint64_t(1) << (j - first);
+      }
+    }
+    sim.reach[block] = reach;
+  }
+};
+
+}  // namespace WEFT_BACKEND_NS
+}  // namespace weft

@@ -1,0 +1,38 @@
+// The region that a block's list of colliders is made for (state/activity.h), looked at while the
+// new positions are still in registers: there it is nearly free, in a loop of its own it would cost
+// as much as a collider.
+#pragma once
+
+#include "base/lanes.h"
+
+namespace weft {
+namespace WEFT_BACKEND_NS {
+
+/// No limits: nothing is looked at.
+struct Everywhere {
+  template <int N, class Move>
+  WEFT_HD bool any_outside(Lanes<N> lanes, Move move) const {
+    lanes.each([&](int l) WEFT_LANE { move(l); });
+    return false;
+  }
+};
+
+template <class T>
+struct Region {
+  Vec3<T> low, high;
+
+  /// Moves every lane; true if any new position is outside, or is not finite.
+  template <int N, class Move>
+  WEFT_HD bool any_outside(Lanes<N> lanes, Move move) const {
+    return lanes.any([&](int l) WEFT_LANE {
+      const Vec3<T> x = move(l);
+      const bool in_x = (x.x >= low.x) & (x.x <= high.x);
+      const bool in_y = (x.y >= low.y) & (x.y <= high.y);
+      const bool in_z = (x.z >= low.z) & (x.z <= high.z);
+      return !(in_x & in_y & in_z);
+    });
+  }
+};
+
+}  // namespace WEFT_BACKEND_NS
+}  // namespace weft

@@ -4,6 +4,7 @@
 #include "arguments.h"
 #include "output.h"
 #include "step_bound.h"
+#include "windless.h"
 
 #include "io/build.h"
 
@@ -19,6 +20,7 @@ struct Finding {
   std::optional<size_t> cloth;  ///< none: the whole scene
   uint32_t element;
   std::string text;
+  bool names_cloth = false;  ///< the text says which cloth it is
 };
 
 const char* name_of(Severity severity) {
@@ -46,6 +48,9 @@ std::vector<Finding> find_all(const io::Scene& scene, io::Simulation& made,
       findings.push_back({name_of(d.severity), i, d.element, d.text ? d.text : ""});
     }
   }
+  for (Windless& cloth : windless_cloths(scene, made)) {
+    findings.push_back({"warning", cloth.cloth, 0, std::move(cloth.text), true});
+  }
   if (const auto problem = beyond_bound(scene, made, stability)) {
     findings.push_back(
         {"warning", made.index_of(stability.cloth), stability.a, "$.time.substeps: " + *problem});
@@ -71,8 +76,9 @@ void print_human(const io::Scene& scene, const io::Simulation& made, const Stats
                                        : std::to_string(automatic) + " (auto)"},
       {"memory", bytes_text(double(bytes))}};
   for (const Finding& finding : findings) {
-    const std::string cloth =
-        finding.cloth ? "cloth '" + scene.cloths[*finding.cloth].name + "': " : "";
+    const std::string cloth = finding.cloth && !finding.names_cloth
+                                  ? "cloth '" + scene.cloths[*finding.cloth].name + "': "
+                                  : "";
     lines.push_back({finding.severity, cloth + finding.text});
   }
   print_lines(lines);

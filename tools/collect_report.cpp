@@ -47,6 +47,8 @@ void collect_figures(const io::Scene& scene, io::Simulation& made, io::Report& r
   }
   report.mechanics = *made.world.mechanics();
   report.state_hash = *made.world.state_hash();
+  report.asleep = 0;
+  for (const ClothId cloth : made.cloths) report.asleep += *made.world.asleep(cloth) ? 1 : 0;
 }
 
 }  // namespace weft::tools

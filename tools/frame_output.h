@@ -11,13 +11,19 @@
 
 namespace weft::tools {
 
+/// What goes into the files, and how often.
+struct FrameSettings {
+  std::vector<FrameFormat> formats;
+  double every = 0;  ///< seconds; 0: each frame of the simulation
+  bool normals = false;
+};
+
 /// Writes the start as frame 0, then a frame whenever `every` more seconds have passed, numbered
 /// without gaps.
 class FrameOutput {
  public:
-  /// Makes the folder. `every` 0: each frame of the simulation.
-  FrameOutput(const std::string& folder, std::vector<FrameFormat>, double every, const io::Scene&,
-              const io::Simulation&);
+  /// Makes the folder.
+  FrameOutput(const std::string& folder, FrameSettings, const io::Scene&, const io::Simulation&);
 
   /// After `frame` frames of the simulation; writes if one is due.
   void update(uint64_t frame, io::Simulation&);
@@ -27,8 +33,7 @@ class FrameOutput {
   void write(io::Simulation&);
 
   std::string folder_;
-  std::vector<FrameFormat> formats_;
-  double every_;
+  FrameSettings settings_;
   double frame_seconds_;
   Precision precision_;
   io::Surface surface_;

@@ -1,6 +1,8 @@
 // The weft program: command line to commands, exceptions to exit codes.
 #include "commands.h"
 
+#include "output.h"
+
 #include "io/error.h"
 #include "io/message_log.h"
 #include "io/nearest.h"
@@ -11,17 +13,13 @@
 #include <CLI/CLI.hpp>
 
 #include <csignal>
-#include <cstdio>
 #include <functional>
 
 namespace weft::tools {
 namespace {
 
-int fail(int code, std::string text) {
-  for (char& c : text) {
-    if (c == '\n' || c == '\r') c = ' ';
-  }
-  std::fprintf(stderr, "weft: %s\n", text.c_str());
+int fail(int code, const std::string& text) {
+  print_message(text);
   return code;
 }
 
@@ -118,6 +116,7 @@ class Program {
     run->add_option("--out", run_.out, "Folder for frames");
     run->add_option("--every", run_.every, "Seconds between frames; default every frame");
     run->add_option("--format", run_.format, "Formats of the frames: obj,ply; default obj");
+    run->add_flag("--normals", run_.normals, "Normals of the vertices in the frames");
     run->add_option("--final", run_.final_file, "CSV file for the final positions and velocities");
     run->add_option("--report", run_.report, "JSON file for the figures of the run");
     // An empty value is a variable that was not set, not an option that was not given.

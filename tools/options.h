@@ -14,6 +14,7 @@ struct CommonOptions {
 
 struct RunOptions : CommonOptions {
   std::string time, out, every, format, final_file, report;
+  bool normals = false;
 };
 
 struct BenchOptions {

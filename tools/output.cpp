@@ -32,6 +32,13 @@ void print_lines(const std::vector<std::pair<std::string, std::string>>& lines) 
   print(text);
 }
 
+void print_message(std::string text) {
+  for (char& c : text) {
+    if (c == '\n' || c == '\r') c = ' ';
+  }
+  std::fprintf(stderr, "weft: %s\n", text.c_str());
+}
+
 std::string figure(double value, int digits) {
   char text[64];
   std::snprintf(text, sizeof text, "%.*g", digits, value);

@@ -1,4 +1,4 @@
-// Standard output: JSON documents and aligned lines.
+// Standard output: JSON documents and aligned lines; messages on standard error.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -14,6 +14,9 @@ void print(const std::string& text);
 void print_json(const nlohmann::ordered_json&);
 /// "key   value" lines with the values aligned.
 void print_lines(const std::vector<std::pair<std::string, std::string>>&);
+
+/// "weft: TEXT" on one line of standard error.
+void print_message(std::string text);
 
 std::string seconds_text(double seconds);  ///< "3.7 ms"
 std::string bytes_text(double bytes);      ///< "12.3 MB"

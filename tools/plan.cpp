@@ -19,14 +19,14 @@ void print_table(const PlanInfo& plan) {
     width = std::max(width, int(std::strlen(plan.passes[i].kernel)));
   }
   char line[512];
-  std::snprintf(line, sizeof line, "%-12s %-*s %12s %15s %15s\n", "stage", width, "kernel", "count",
-                "bytes/particle", "flops/particle");
+  std::snprintf(line, sizeof line, "%-12s %-8s %-*s %12s %15s %15s\n", "stage", "per", width,
+                "kernel", "count", "bytes/particle", "flops/particle");
   std::string text = line;
   for (uint32_t i = 0; i < plan.passes.count; ++i) {
     const PassInfo& pass = plan.passes[i];
-    std::snprintf(line, sizeof line, "%-12s %-*s %12llu %15.1f %15.1f\n", pass.stage, width,
-                  pass.kernel, static_cast<unsigned long long>(pass.count), pass.bytes_per_particle,
-                  pass.flops_per_particle);
+    std::snprintf(line, sizeof line, "%-12s %-8s %-*s %12llu %15.1f %15.1f\n", pass.stage, pass.per,
+                  width, pass.kernel, static_cast<unsigned long long>(pass.count),
+                  pass.bytes_per_particle, pass.flops_per_particle);
     text += line;
   }
   print(text + "memory " + bytes_text(double(plan.bytes_total)) + "\n");
@@ -49,6 +49,7 @@ int plan_command(const CommonOptions& options) {
   for (uint32_t i = 0; i < plan.passes.count; ++i) {
     const PassInfo& pass = plan.passes[i];
     json["passes"].push_back({{"stage", pass.stage},
+                              {"per", pass.per},
                               {"kernel", pass.kernel},
                               {"count", pass.count},
                               {"bytes_per_particle", pass.bytes_per_particle},

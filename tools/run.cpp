@@ -7,6 +7,7 @@
 #include "output.h"
 #include "progress.h"
 #include "step_bound.h"
+#include "windless.h"
 
 #include "io/csv_writer.h"
 #include "io/error.h"
@@ -26,17 +27,18 @@ void request_stop(int number) { stop_signal = number; }
 struct RunRequest {
   explicit RunRequest(const RunOptions& options) : context(context_desc(options)) {
     if (!options.time.empty()) duration = seconds_argument("--time", options.time, false);
-    if (!options.every.empty()) every = seconds_argument("--every", options.every, true);
-    formats = frame_formats(options.format.empty() ? "obj" : options.format);
-    if (options.out.empty() && !(options.every.empty() && options.format.empty())) {
+    if (!options.every.empty()) frames.every = seconds_argument("--every", options.every, true);
+    frames.formats = frame_formats(options.format.empty() ? "obj" : options.format);
+    frames.normals = options.normals;
+    const bool about_frames = !options.every.empty() || !options.format.empty() || options.normals;
+    if (options.out.empty() && about_frames) {
       throw io::InputError(
-          "--out: is missing (--every and --format are about its files) give a folder");
+          "--out: is missing (--every, --format and --normals are about its files) give a folder");
     }
   }
   ContextDesc context;
   std::optional<double> duration;
-  double every = 0;
-  std::vector<FrameFormat> formats;
+  FrameSettings frames;
 };
 
 io::Scene read_scene(const RunOptions& options, const RunRequest& request) {
@@ -128,10 +130,13 @@ int run_command(const RunOptions& options) {
   io::Simulation made = build_runnable(scene, request);
   std::optional<FrameOutput> frames;
   if (!options.out.empty()) {
-    frames.emplace(options.out, request.formats, request.every, scene, made);
+    frames.emplace(options.out, request.frames, scene, made);
   }
   for (const std::string& path : {options.final_file, options.report}) {
     if (!path.empty()) io::probe_output(path);
+  }
+  for (const Windless& cloth : windless_cloths(scene, made)) {
+    print_message("warning: " + scene.file + ": " + cloth.text);
   }
   std::signal(SIGINT, request_stop);
   std::signal(SIGTERM, request_stop);

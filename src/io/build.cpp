@@ -39,6 +39,8 @@ ClothDesc cloth_desc(const ClothScene& cloth, const Fabric& fabric) {
   desc.drag = cloth.drag;
   desc.drag_model = cloth.drag_model;
   desc.spring_damping = cloth.spring_damping;
+  desc.sleep_speed = cloth.sleep_speed;
+  desc.sleep_time = cloth.sleep_time;
   return desc;
 }
 
@@ -54,17 +56,69 @@ WorldDesc world_desc(const Scene& scene) {
   return desc;
 }
 
-struct ColliderMaker {
-  World& world;
-  Status operator()(const SphereDesc& d) const { return world.create_sphere(d).status(); }
-  Status operator()(const PlaneDesc& d) const { return world.create_plane(d).status(); }
-  Status operator()(const CylinderDesc& d) const { return world.create_cylinder(d).status(); }
-  Status operator()(const CapsuleDesc& d) const { return world.create_capsule(d).status(); }
-  Status operator()(const BoxDesc& d) const { return world.create_box(d).status(); }
+bool same_mesh(const MeshColliderScene& a, const MeshColliderScene& b) {
+  return a.mesh == b.mesh && a.scale == b.scale && a.thickness == b.thickness &&
+         a.closed == b.closed;
+}
+
+class ColliderMaker {
+ public:
+  explicit ColliderMaker(Simulation& made) : made_(made), world_(made.world) {}
+
+  Status operator()(const SphereDesc& d) { return world_.create_sphere(d).status(); }
+  Status operator()(const PlaneDesc& d) { return world_.create_plane(d).status(); }
+  Status operator()(const CylinderDesc& d) { return world_.create_cylinder(d).status(); }
+  Status operator()(const CapsuleDesc& d) { return world_.create_capsule(d).status(); }
+  Status operator()(const BoxDesc& d) { return world_.create_box(d).status(); }
+  Status operator()(const MeshColliderScene& scene) {
+    const auto mesh = cook(scene);
+    if (!mesh) return mesh.status();
+    return world_.create_mesh({*mesh, scene.pose, scene.velocity, scene.friction}).status();
+  }
+
+ private:
+  // Cooking is slow and its result is large, so equal meshes are one.
+  Result<ColliderMesh> cook(const MeshColliderScene& scene) {
+    for (size_t i = 0; i < cooked_.size(); ++i) {
+      if (same_mesh(*cooked_[i], scene)) return made_.collider_meshes[i];
+    }
+    auto mesh = made_.context.cook(ColliderMeshDesc{View<double3>(scene.mesh->positions),
+                                                    scene.mesh->triangles, scene.scale,
+                                                    scene.thickness, scene.closed});
+    if (mesh) {
+      cooked_.push_back(&scene);
+      made_.collider_meshes.push_back(*mesh);
+    }
+    return mesh;
+  }
+
+  Simulation& made_;
+  World& world_;
+  std::vector<const MeshColliderScene*> cooked_;  ///< what collider_meshes were made from
 };
 
 std::string element_path(const Scene& scene, const char* key, size_t index) {
   return scene.file + ": $." + key + "[" + std::to_string(index) + "]";
+}
+
+void add_cloths(const Scene& scene, Simulation& made) {
+  for (size_t i = 0; i < scene.cloths.size(); ++i) {
+    const std::string path = element_path(scene, "cloths", i);
+    auto fabric = cook(made.context, scene.cloths[i]);
+    made.require(fabric.status(), path);
+    made.fabrics.push_back(*fabric);
+    const auto cloth = made.world.create_cloth(cloth_desc(scene.cloths[i], *fabric));
+    made.require(cloth.status(), path);
+    made.cloths.push_back(*cloth);
+  }
+}
+
+void add_surroundings(const Scene& scene, Simulation& made) {
+  ColliderMaker maker(made);
+  for (size_t i = 0; i < scene.colliders.size(); ++i) {
+    made.require(std::visit(maker, scene.colliders[i]), element_path(scene, "colliders", i));
+  }
+  if (scene.wind) made.require(made.world.set_wind(*scene.wind), scene.file + ": $.wind");
 }
 
 }  // namespace
@@ -89,19 +143,8 @@ Simulation build(const Scene& scene, ContextDesc desc) {
   auto world = made.context.create_world(world_desc(scene));
   made.require(world.status(), scene.file);
   made.world = std::move(*world);
-  for (size_t i = 0; i < scene.cloths.size(); ++i) {
-    const std::string path = element_path(scene, "cloths", i);
-    auto fabric = cook(made.context, scene.cloths[i]);
-    made.require(fabric.status(), path);
-    made.fabrics.push_back(*fabric);
-    const auto cloth = made.world.create_cloth(cloth_desc(scene.cloths[i], *fabric));
-    made.require(cloth.status(), path);
-    made.cloths.push_back(*cloth);
-  }
-  for (size_t i = 0; i < scene.colliders.size(); ++i) {
-    made.require(std::visit(ColliderMaker{made.world}, scene.colliders[i]),
-                 element_path(scene, "colliders", i));
-  }
+  add_cloths(scene, made);
+  add_surroundings(scene, made);
   return made;
 }
 

@@ -16,7 +16,8 @@ namespace weft::io {
 struct Simulation {
   std::unique_ptr<MessageLog> log;
   Context context;
-  std::vector<Fabric> fabrics;  ///< one per cloth of the scene
+  std::vector<Fabric> fabrics;                ///< one per cloth of the scene
+  std::vector<ColliderMesh> collider_meshes;  ///< different ones, in the order of first use
   World world;
   std::vector<ClothId> cloths;  ///< one per cloth of the scene
 

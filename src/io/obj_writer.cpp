@@ -2,7 +2,9 @@
 
 #include "io/output_file.h"
 
+#include <algorithm>
 #include <charconv>
+#include <string_view>
 
 namespace weft::io {
 namespace {
@@ -11,20 +13,26 @@ class LineWriter {
  public:
   explicit LineWriter(OutputFile& file) : file_(file) {}
 
-  void begin(char keyword) {
-    end_ = text_;
-    *end_++ = keyword;
-  }
+  void begin(std::string_view keyword) { end_ = std::copy(keyword.begin(), keyword.end(), text_); }
   template <class Number>
   void add(Number value) {
     *end_++ = ' ';
     end_ = std::to_chars(end_, text_ + sizeof text_, value).ptr;
   }
-  void add_rounded(double value, Precision precision) {
-    if (precision == Precision::float32)
-      add(static_cast<float>(value));
-    else
-      add(value);
+  void add(double3 values, Precision precision) {
+    for (const double value : {values.x, values.y, values.z}) {
+      if (precision == Precision::float32)
+        add(static_cast<float>(value));
+      else
+        add(value);
+    }
+  }
+  /// Position and normal of the same number: "7//7".
+  void add_with_normal(uint32_t vertex) {
+    add(vertex);
+    *end_++ = '/';
+    *end_++ = '/';
+    end_ = std::to_chars(end_, text_ + sizeof text_, vertex).ptr;
   }
   void end() {
     *end_++ = '\n';
@@ -45,6 +53,36 @@ std::string one_line(std::string name) {
   return name;
 }
 
+void write_points(LineWriter& line, std::string_view keyword, const std::vector<double3>& points,
+                  const SurfacePart& part, Precision precision) {
+  for (size_t i = 0; i < part.vertex_count; ++i) {
+    line.begin(keyword);
+    line.add(points[part.first_vertex + i], precision);
+    line.end();
+  }
+}
+
+void write_faces(LineWriter& line, const Surface& surface, const SurfacePart& part) {
+  for (size_t i = 0; i < part.triangle_count; ++i) {
+    line.begin("f");
+    for (const uint32_t v : surface.triangles[part.first_triangle + i]) {
+      if (surface.normals.empty())
+        line.add(v + 1);
+      else
+        line.add_with_normal(v + 1);
+    }
+    line.end();
+  }
+}
+
+void write_lines(LineWriter& line, const Surface& surface, const SurfacePart& part) {
+  for (size_t i = 0; i < part.edge_count; ++i) {
+    line.begin("l");
+    for (const uint32_t v : surface.edges[part.first_edge + i]) line.add(v + 1);
+    line.end();
+  }
+}
+
 }  // namespace
 
 void write_obj(const std::string& path, const Surface& surface, Precision precision) {
@@ -52,22 +90,10 @@ void write_obj(const std::string& path, const Surface& surface, Precision precis
   LineWriter line(file);
   for (const SurfacePart& part : surface.parts) {
     file.write("o " + one_line(part.name) + "\n");
-    for (size_t i = 0; i < part.vertex_count; ++i) {
-      const double3 p = surface.positions[part.first_vertex + i];
-      line.begin('v');
-      for (const double c : {p.x, p.y, p.z}) line.add_rounded(c, precision);
-      line.end();
-    }
-    for (size_t i = 0; i < part.triangle_count; ++i) {
-      line.begin('f');
-      for (const uint32_t v : surface.triangles[part.first_triangle + i]) line.add(v + 1);
-      line.end();
-    }
-    for (size_t i = 0; i < part.edge_count; ++i) {
-      line.begin('l');
-      for (const uint32_t v : surface.edges[part.first_edge + i]) line.add(v + 1);
-      line.end();
-    }
+    write_points(line, "v", surface.positions, part, precision);
+    if (!surface.normals.empty()) write_points(line, "vn", surface.normals, part, precision);
+    write_faces(line, surface, part);
+    write_lines(line, surface, part);
   }
   file.commit();
 }

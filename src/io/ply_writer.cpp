@@ -17,11 +17,21 @@ char* put(char* at, Value value) {
   return std::copy(bytes, bytes + sizeof value, at);
 }
 
+char* put(char* at, double3 values, Precision precision) {
+  for (const double value : {values.x, values.y, values.z}) {
+    at = precision == Precision::float32 ? put(at, static_cast<float>(value)) : put(at, value);
+  }
+  return at;
+}
+
 std::string header(const Surface& surface, Precision precision) {
   const std::string real = precision == Precision::float32 ? "float" : "double";
   std::string text = "ply\nformat binary_little_endian 1.0\n";
   text += "element vertex " + std::to_string(surface.positions.size()) + "\n";
-  for (const char* axis : {"x", "y", "z"}) text += "property " + real + " " + axis + "\n";
+  for (const char* name : {"x", "y", "z"}) text += "property " + real + " " + name + "\n";
+  if (!surface.normals.empty()) {
+    for (const char* name : {"nx", "ny", "nz"}) text += "property " + real + " " + name + "\n";
+  }
   text += "element face " + std::to_string(surface.triangles.size()) + "\n";
   text += "property list uchar int vertex_indices\n";
   if (!surface.edges.empty()) {
@@ -36,12 +46,10 @@ std::string header(const Surface& surface, Precision precision) {
 void write_ply(const std::string& path, const Surface& surface, Precision precision) {
   OutputFile file(path);
   file.write(header(surface, precision));
-  char record[3 * sizeof(double)];
-  for (const double3 p : surface.positions) {
-    char* at = record;
-    for (const double c : {p.x, p.y, p.z}) {
-      at = precision == Precision::float32 ? put(at, static_cast<float>(c)) : put(at, c);
-    }
+  char record[6 * sizeof(double)];
+  for (size_t i = 0; i < surface.positions.size(); ++i) {
+    char* at = put(record, surface.positions[i], precision);
+    if (!surface.normals.empty()) at = put(at, surface.normals[i], precision);
     file.write(record, size_t(at - record));
   }
   for (const auto& triangle : surface.triangles) {

@@ -70,6 +70,7 @@ nlohmann::ordered_json to_json(const Report& report) {
   json["events"] = events_json(report.events);
   add_mechanics(json, report.mechanics);
   json["state_hash"] = hash_text(report.state_hash);
+  json["asleep"] = report.asleep;
   return json;
 }
 

@@ -36,6 +36,7 @@ struct Report {
   std::vector<ReportEvent> events;
   Mechanics mechanics{};
   uint64_t state_hash = 0;
+  uint64_t asleep = 0;  ///< cloths
 
   /// Null without steps.
   std::optional<double> ns_per_particle_step() const;

@@ -32,7 +32,7 @@ void read_root(const Node& root, Scene& scene, MeshCache& meshes) {
   if (const auto colliders = root.find("colliders")) {
     const size_t colliders_count = colliders->array_size("an array of colliders");
     for (size_t i = 0; i < colliders_count; ++i) {
-      scene.colliders.push_back(read_collider((*colliders)[i]));
+      scene.colliders.push_back(read_collider((*colliders)[i], meshes));
     }
   }
   if (const auto node = root.find("wind")) scene.wind = read_wind(*node);

@@ -43,7 +43,7 @@ struct GridShape {
   Stencil stencil = Stencil::seed12;
 };
 struct MeshShape {
-  std::shared_ptr<const Mesh> mesh;  ///< shared by the cloths that name the same file
+  std::shared_ptr<const Mesh> mesh;  ///< shared by all that name the same file
   bool bend = false;
 };
 struct NetworkShape {
@@ -70,14 +70,20 @@ struct ClothScene {
   double3 velocity{0, 0, 0};
   std::vector<double3> velocities;
   std::vector<VertexForce> forces;
+  double sleep_speed = 0;  ///< 0: it never sleeps
+  double sleep_time = 0.5;
 };
 
-using ColliderScene = std::variant<SphereDesc, PlaneDesc, CylinderDesc, CapsuleDesc, BoxDesc>;
-
-struct WindScene {
+struct MeshColliderScene {
+  std::shared_ptr<const Mesh> mesh;  ///< shared by all that name the same file
+  double scale = 1, thickness = 0.005;
+  bool closed = false;
+  Pose pose;
   double3 velocity{0, 0, 0};
-  double air_density = 1.225, normal = 1, tangential = 0.02;
+  double friction = 0;
 };
+using ColliderScene =
+    std::variant<SphereDesc, PlaneDesc, CylinderDesc, CapsuleDesc, BoxDesc, MeshColliderScene>;
 
 struct SelfCollisionScene {
   bool complete = false;
@@ -94,7 +100,7 @@ struct Scene {
   SolverSettings solver;
   std::vector<ClothScene> cloths;
   std::vector<ColliderScene> colliders;
-  std::optional<WindScene> wind;
+  std::optional<WindDesc> wind;
   std::optional<SelfCollisionScene> self_collision;
 };
 

@@ -46,7 +46,6 @@ void refuse_solver(const SolverSettings& solver) {
 
 void refuse_unavailable(const Scene& scene) {
   refuse_solver(scene.solver);
-  if (scene.wind) refuse("$.wind", "wind", "give null");
   if (scene.self_collision) refuse("$.self_collision", "self-collision", "give null");
 }
 

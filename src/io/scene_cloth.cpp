@@ -4,15 +4,6 @@
 namespace weft::io {
 namespace {
 
-void read_transform(const Node& node, ClothScene& cloth) {
-  node.require_object({"scale", "rotate", "translate"});
-  if (const auto key = node.find("scale")) cloth.scale = key->number(Sign::positive);
-  if (const auto key = node.find("rotate")) {
-    read_rotation(*key, cloth.pose.axis, cloth.pose.degrees);
-  }
-  if (const auto key = node.find("translate")) cloth.pose.translate = key->vector();
-}
-
 void read_damping(const Node& node, ClothScene& cloth) {
   node.require_object({"drag", "spring", "drag_model"});
   if (const auto key = node.find("drag")) cloth.drag = key->number(Sign::not_negative);
@@ -51,7 +42,21 @@ void read_force(const Node& node, ClothScene& cloth) {
   }
 }
 
+void read_sleep(const Node& node, ClothScene& cloth) {
+  if (node.is_null()) return;
+  node.require_object({"speed", "time"});
+  cloth.sleep_speed = node.at("speed", "a speed > 0 in m/s").number(Sign::positive);
+  if (const auto key = node.find("time")) cloth.sleep_time = key->number(Sign::not_negative);
+}
+
 }  // namespace
+
+void read_transform(const Node& node, double& scale, Pose& pose) {
+  node.require_object({"scale", "rotate", "translate"});
+  if (const auto key = node.find("scale")) scale = key->number(Sign::positive);
+  if (const auto key = node.find("rotate")) read_rotation(*key, pose.axis, pose.degrees);
+  if (const auto key = node.find("translate")) pose.translate = key->vector();
+}
 
 void read_rotation(const Node& node, double3& axis, double& degrees) {
   node.require_object({"axis", "degrees"});
@@ -67,13 +72,13 @@ void read_rotation(const Node& node, double3& axis, double& degrees) {
 ClothScene read_cloth(const Node& node, MeshCache& meshes) {
   node.require_object({"name", "grid", "mesh", "network", "transform", "mass", "density", "masses",
                        "stiffness", "rest_length", "damping", "pins", "velocity", "velocities",
-                       "forces"});
+                       "forces", "sleep"});
   ClothScene cloth;
   const Node name = node.at("name", "a name");
   cloth.name = name.text();
   if (cloth.name.empty()) name.fail("\"\" is not a name (messages use it) give one");
   cloth.shape = read_shape(node, meshes);
-  if (const auto key = node.find("transform")) read_transform(*key, cloth);
+  if (const auto key = node.find("transform")) read_transform(*key, cloth.scale, cloth.pose);
   read_material(node, cloth);
   if (const auto key = node.find("damping")) read_damping(*key, cloth);
   if (const auto key = node.find("pins")) read_pins(*key, cloth);
@@ -82,6 +87,7 @@ ClothScene read_cloth(const Node& node, MeshCache& meshes) {
     const size_t count = key->array_size("an array of forces");
     for (size_t i = 0; i < count; ++i) read_force((*key)[i], cloth);
   }
+  if (const auto key = node.find("sleep")) read_sleep(*key, cloth);
   return cloth;
 }
 

@@ -18,12 +18,16 @@ void read_time(const Node&, TimeSettings&);
 void read_solver(const Node&, SolverSettings&);
 ClothScene read_cloth(const Node&, MeshCache&);
 Shape read_shape(const Node& cloth, MeshCache&);
+/// The mesh of a file, read once. It has faces: `need` says why and what to give otherwise.
+std::shared_ptr<const Mesh> load_mesh(const Node& file, MeshCache&, const char* need);
 void read_material(const Node& cloth, ClothScene&);
 void read_pins(const Node&, ClothScene&);
+/// `{ "scale", "rotate", "translate" }`
+void read_transform(const Node&, double& scale, Pose&);
 /// `{ "axis", "degrees" }`
 void read_rotation(const Node&, double3& axis, double& degrees);
-ColliderScene read_collider(const Node&);
-std::optional<WindScene> read_wind(const Node&);
+ColliderScene read_collider(const Node&, MeshCache&);
+std::optional<WindDesc> read_wind(const Node&);
 std::optional<SelfCollisionScene> read_self_collision(const Node&);
 
 /// Refuses what is valid but has no effect yet, naming path and value.

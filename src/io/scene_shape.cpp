@@ -33,7 +33,9 @@ GridShape read_grid(const Node& node) {
   return grid;
 }
 
-std::shared_ptr<const Mesh> load_mesh(const Node& file, MeshCache& cache) {
+}  // namespace
+
+std::shared_ptr<const Mesh> load_mesh(const Node& file, MeshCache& cache, const char* need) {
   if (file.text().empty()) file.fail("\"\" names no file (a mesh is read from one) give its path");
   const std::string path = (std::filesystem::path(cache.folder) / file.text()).string();
   auto& mesh = cache.meshes[path];
@@ -44,8 +46,7 @@ std::shared_ptr<const Mesh> load_mesh(const Node& file, MeshCache& cache) {
     file.fail(error.what());
   }
   if (mesh->triangles.empty()) {
-    file.fail(path +
-              ": has no faces (a cloth's springs come from them) give a surface, or a network");
+    file.fail(path + ": has no faces " + need);
   }
   if (mesh->positions.size() > uint64_t(most_vertices)) {
     file.fail(path + ": has more than 2^30 vertices (indices end there) give a smaller mesh");
@@ -53,11 +54,14 @@ std::shared_ptr<const Mesh> load_mesh(const Node& file, MeshCache& cache) {
   return mesh;
 }
 
+namespace {
+
 MeshShape read_mesh_shape(const Node& node, MeshCache& cache) {
   node.require_object({"file", "bend"});
   MeshShape shape;
   if (const auto bend = node.find("bend")) shape.bend = bend->boolean();
-  shape.mesh = load_mesh(node.at("file", "the path of an OBJ or PLY file"), cache);
+  shape.mesh = load_mesh(node.at("file", "the path of an OBJ or PLY file"), cache,
+                         "(a cloth's springs come from them) give a surface, or a network");
   return shape;
 }
 

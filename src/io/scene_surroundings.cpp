@@ -66,6 +66,29 @@ BoxDesc read_box(const Node& node) {
   return box;
 }
 
+MeshColliderScene read_mesh_collider(const Node& node, MeshCache& meshes) {
+  node.require_object({"file", "transform", "thickness", "closed"});
+  MeshColliderScene mesh;
+  if (const auto key = node.find("transform")) read_transform(*key, mesh.scale, mesh.pose);
+  if (const auto key = node.find("thickness")) mesh.thickness = key->number(Sign::positive);
+  if (const auto key = node.find("closed")) mesh.closed = key->boolean();
+  mesh.mesh = load_mesh(node.at("file", "the path of an OBJ or PLY file"), meshes,
+                        "(cloth collides with them) give a surface");
+  return mesh;
+}
+
+ColliderScene read_collider_shape(const Node& node, MeshCache& meshes) {
+  const std::string_view kind =
+      node.exactly_one({"sphere", "plane", "cylinder", "capsule", "box", "mesh"});
+  const Node shape = node.at(kind.data(), "it");
+  if (kind == "sphere") return read_sphere(shape);
+  if (kind == "plane") return read_plane(shape);
+  if (kind == "cylinder") return read_cylinder(shape);
+  if (kind == "capsule") return read_capsule(shape);
+  if (kind == "box") return read_box(shape);
+  return read_mesh_collider(shape, meshes);
+}
+
 void read_grids(const Node& node, SelfCollisionScene& scene) {
   if (const auto key = node.find("shifts")) {
     scene.diagonal = key->choice<bool>({{"corner", false}, {"diagonal", true}});
@@ -81,21 +104,10 @@ void read_grids(const Node& node, SelfCollisionScene& scene) {
 
 }  // namespace
 
-ColliderScene read_collider(const Node& node) {
-  node.require_object({"sphere", "plane", "cylinder", "capsule", "box", "friction", "velocity"});
-  ColliderScene collider;
-  const std::string_view kind = node.exactly_one({"sphere", "plane", "cylinder", "capsule", "box"});
-  const Node shape = node.at(kind.data(), "it");
-  if (kind == "sphere")
-    collider = read_sphere(shape);
-  else if (kind == "plane")
-    collider = read_plane(shape);
-  else if (kind == "cylinder")
-    collider = read_cylinder(shape);
-  else if (kind == "capsule")
-    collider = read_capsule(shape);
-  else
-    collider = read_box(shape);
+ColliderScene read_collider(const Node& node, MeshCache& meshes) {
+  node.require_object(
+      {"sphere", "plane", "cylinder", "capsule", "box", "mesh", "friction", "velocity"});
+  ColliderScene collider = read_collider_shape(node, meshes);
   std::visit(
       [&](auto& desc) {
         if (const auto key = node.find("friction")) desc.friction = key->number(Sign::not_negative);
@@ -105,10 +117,10 @@ ColliderScene read_collider(const Node& node) {
   return collider;
 }
 
-std::optional<WindScene> read_wind(const Node& node) {
+std::optional<WindDesc> read_wind(const Node& node) {
   if (node.is_null()) return std::nullopt;
   node.require_object({"velocity", "air_density", "normal", "tangential"});
-  WindScene wind;
+  WindDesc wind;
   wind.velocity = node.at("velocity", "a vector in m/s").vector();
   if (const auto key = node.find("air_density")) wind.air_density = key->number(Sign::not_negative);
   if (const auto key = node.find("normal")) wind.normal = key->number(Sign::not_negative);

@@ -21,15 +21,16 @@ struct SurfacePart {
 /// Indices count through all parts. Edges are given for networks only, which have no triangles.
 struct Surface {
   std::vector<double3> positions;
+  std::vector<double3> normals;  ///< empty, or one per position
   std::vector<std::array<uint32_t, 3>> triangles;
   std::vector<std::array<uint32_t, 2>> edges;
   std::vector<SurfacePart> parts;
 };
 
 /// Text: an object per part; numbers in the fewest digits that read back as the same value of
-/// `precision`.
+/// `precision`. Vertex i has normal i.
 void write_obj(const std::string& path, const Surface&, Precision);
-/// Little-endian binary: float or double positions by `precision`.
+/// Little-endian binary: float or double positions and normals by `precision`.
 void write_ply(const std::string& path, const Surface&, Precision);
 
 }  // namespace weft::io

@@ -26,6 +26,10 @@ TEST(Cli, BadUsageIsExitCode2) {
   expect_failure(run_weft("run --time 1e300 " + scene), 2, "--time: 1e+300");
   expect_failure(run_weft("run --every 0 --out x " + scene), 2, "--every: '0' is out of range");
   expect_failure(run_weft("run --every 1 " + scene), 2, "--out: is missing");
+  expect_failure(run_weft("run --normals " + scene), 2, "--out: is missing");
+  expect_failure(run_weft("run --normals --format pc2 --out x " + scene), 2, "not available");
+  expect_failure(run_weft("run --normals --format obj,png --out x " + scene), 2, "not available");
+  expect_failure(run_weft("check --normals " + scene), 2, "--normals");
   expect_failure(run_weft("run --format obj,stl --out x " + scene), 2, "--format: 'stl'");
   expect_failure(run_weft("run --format pc2 --out x " + scene), 2, "not available in this version");
   expect_failure(run_weft("run --format obj,png --out x " + scene), 2, "not available in this");
@@ -93,11 +97,18 @@ TEST(Plan, ListsPasses) {
   const std::string scene = folder.write("s.json", falling_scene().dump());
   const Json json = Json::parse(run_weft("plan --json " + scene).out);
   ASSERT_FALSE(json["passes"].empty());
-  for (const char* key : {"stage", "kernel", "count", "bytes_per_particle", "flops_per_particle"}) {
-    EXPECT_TRUE(json["passes"][0].contains(key)) << key;
+  for (const Json& pass : json["passes"]) {
+    for (const char* key :
+         {"stage", "per", "kernel", "count", "bytes_per_particle", "flops_per_particle"}) {
+      EXPECT_TRUE(pass.contains(key)) << key;
+    }
+    const std::string per = pass["per"];
+    EXPECT_TRUE(per == "substep" || per == "frame" || per == "call") << per;
   }
   EXPECT_GT(json["bytes_total"], 0);
-  EXPECT_CONTAINS(run_weft("plan " + scene).out, "advance");
+  const std::string table = run_weft("plan " + scene).out;
+  EXPECT_EQ(table.rfind("stage        per      kernel ", 0), 0u) << table;
+  EXPECT_CONTAINS(table, "\nadvance      substep  grid_seed12_float64 ");
 }
 
 TEST(Samples, AreValidAndStableWithAutomaticSubsteps) {

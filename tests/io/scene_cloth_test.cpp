@@ -51,6 +51,28 @@ TEST(SceneCloth, RefusesBadValues) {
         "12 is out of range (there are 12 vertices)"}});
 }
 
+TEST(SceneCloth, SleepsWhenAsked) {
+  Json json = grid_cloth();
+  EXPECT_EQ(read_cloth_json(json).sleep_speed, 0) << "never";
+  json["sleep"] = nullptr;
+  EXPECT_EQ(read_cloth_json(json).sleep_speed, 0);
+  json["sleep"] = {{"speed", 0.01}};
+  EXPECT_EQ(read_cloth_json(json).sleep_speed, 0.01);
+  EXPECT_EQ(read_cloth_json(json).sleep_time, 0.5);
+  json["sleep"]["time"] = 0;
+  EXPECT_EQ(read_cloth_json(json).sleep_time, 0);
+  expect_refused(
+      scene_of(json),
+      {{"/cloths/0/sleep", "true", "$.cloths[0].sleep", "true has the wrong type"},
+       {"/cloths/0/sleep", "0.01", "$.cloths[0].sleep", "0.01 has the wrong type"},
+       {"/cloths/0/sleep/speed", "", "$.cloths[0].sleep.speed", "is missing"},
+       {"/cloths/0/sleep/speed", "0", "$.cloths[0].sleep.speed", "0 is out of range"},
+       {"/cloths/0/sleep/speed", "-1", "$.cloths[0].sleep.speed", "-1 is out of range"},
+       {"/cloths/0/sleep/time", "-0.1", "$.cloths[0].sleep.time", "-0.1 is out of range"},
+       {"/cloths/0/sleep/time", "null", "$.cloths[0].sleep.time", "null has the wrong type"},
+       {"/cloths/0/sleep/delay", "1", "$.cloths[0].sleep.delay", "unknown key"}});
+}
+
 TEST(SceneCloth, ReadsMasses) {
   Json json = network_cloth();
   json.erase("mass");

@@ -150,6 +150,7 @@ TEST(Report, HasTheKeysOfThePage) {
   report.wall_seconds = 1e-6;
   report.dt_bound = std::numeric_limits<double>::infinity();
   report.state_hash = 0xABC;
+  report.asleep = 2;
   report.events.push_back({"non_finite", 0, 3, 0.5, "text"});
   const auto json = to_json(report);
   for (const char* key :
@@ -157,7 +158,7 @@ TEST(Report, HasTheKeysOfThePage) {
         "evaluation", "particles",   "springs",     "frames",       "substeps_per_frame",
         "dt",         "dt_bound",    "steps",       "wall_seconds", "ns_per_particle_step",
         "phases",     "bytes_state", "bytes_total", "events",       "energy",
-        "momentum",   "state_hash"}) {
+        "momentum",   "state_hash",  "asleep"}) {
     EXPECT_TRUE(json.contains(key)) << key;
   }
   EXPECT_TRUE(json["dt_bound"].is_null());
@@ -165,6 +166,7 @@ TEST(Report, HasTheKeysOfThePage) {
   EXPECT_EQ(json["state_hash"], "0000000000000abc");
   EXPECT_EQ(json["events"][0]["vertex"], 3);
   EXPECT_EQ(json["energy"]["kinetic"], 0);
+  EXPECT_EQ(json["asleep"], 2);
 }
 
 }  // namespace

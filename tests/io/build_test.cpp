@@ -1,0 +1,73 @@
+// From scenes to worlds.
+#include "io/build.h"
+
+#include "scene_support.h"
+
+namespace weft::io::test {
+namespace {
+
+struct Build : ::testing::Test {
+  TemporaryFolder folder;
+  Scene read(const Json& json) const { return read_scene(folder.write("s.json", json.dump())); }
+};
+
+Json still_scene() {
+  Json json = scene_of(grid_cloth());
+  json["gravity"] = {0, 0, 0};
+  return json;
+}
+
+TEST_F(Build, CooksEqualColliderMeshesOnce) {
+  folder.write("a.obj", "v 0 -9 0\nv 1 -9 0\nv 0 -9 1\nf 1 2 3\n");
+  folder.write("b.obj", "v 0 -9 0\nv 1 -9 0\nv 0 -9 1\nf 1 2 3\n");
+  Json json = still_scene();
+  json["colliders"] = Json::parse(R"([
+    { "mesh": { "file": "a.obj" } },
+    { "mesh": { "file": "a.obj", "transform": { "translate": [0,-1,0] } }, "friction": 1 },
+    { "mesh": { "file": "a.obj", "transform": { "scale": 2 } } },
+    { "sphere": { "center": [0,-9,0], "radius": 1 } },
+    { "mesh": { "file": "a.obj", "thickness": 0.01 } },
+    { "mesh": { "file": "b.obj" } },
+    { "mesh": { "file": "a.obj", "transform": { "scale": 2 } }, "velocity": [0,-1,0] } ])");
+  const Simulation made = build(read(json), {});
+  ASSERT_EQ(made.collider_meshes.size(), 4u);
+  for (const ColliderMesh& mesh : made.collider_meshes) EXPECT_EQ(mesh.triangle_count(), 1u);
+}
+
+TEST_F(Build, NamesTheColliderThatCannotBeCooked) {
+  folder.write("a.obj", "v 0 -9 0\nv 1 -9 0\nv 0 -9 1\nf 1 2 3\n");
+  Json json = still_scene();
+  json["colliders"] = Json::parse(R"([ { "mesh": { "file": "a.obj" } },
+                                       { "mesh": { "file": "a.obj", "closed": true } } ])");
+  const Scene scene = read(json);
+  try {
+    build(scene, {});
+    ADD_FAILURE() << "an open mesh was taken for a closed one";
+  } catch (const CoreError& error) {
+    EXPECT_EQ(error.status, Status::invalid_argument);
+    EXPECT_CONTAINS(error.what(), "s.json: $.colliders[1]: ");
+  }
+}
+
+TEST_F(Build, PassesWindOn) {
+  Json json = still_scene();
+  json["wind"] = {{"velocity", {0, 0, 3}}};
+  Simulation made = build(read(json), {});
+  ASSERT_EQ(made.world.step(0.05), Status::ok);
+  const auto mechanics = made.world.mechanics();
+  ASSERT_TRUE(mechanics);
+  EXPECT_GT(mechanics->momentum.z, 0.05);
+}
+
+TEST_F(Build, PassesSleepOn) {
+  Json json = still_scene();
+  json["cloths"].push_back(json["cloths"][0]);
+  json["cloths"][1]["sleep"] = {{"speed", 0.001}, {"time", 0.05}};
+  Simulation made = build(read(json), {});
+  for (int frame = 0; frame < 10; ++frame) ASSERT_EQ(made.world.step(1.0 / 60), Status::ok);
+  EXPECT_FALSE(*made.world.asleep(made.cloths[0]));
+  EXPECT_TRUE(*made.world.asleep(made.cloths[1]));
+}
+
+}  // namespace
+}  // namespace weft::io::test

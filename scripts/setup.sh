@@ -54,7 +54,7 @@ if [[ $# -gt 1 || ( $# -eq 1 && "$1" != --all ) ]]; then
 fi
 if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
   echo "setup: this is not a Debian system (no apt-get). Install by hand: a C++20 compiler," \
-       "CMake 3.25, Ninja, git, Python 3, binutils, GoogleTest, Eigen, nlohmann-json, CLI11," \
+       "CMake 3.25, Ninja, git, Python 3, binutils, Valgrind, GoogleTest, Eigen, nlohmann-json, CLI11," \
        "Thrust with CUB, and the Assimp test models (optional)" >&2
   exit 1
 fi
@@ -65,6 +65,7 @@ need_command ninja ninja-build
 need_command git git
 need_command python3 python3
 need_command nm binutils
+need_command valgrind valgrind
 need_package libgtest-dev libeigen3-dev nlohmann-json3-dev libcli11-dev assimp-testmodels
 have_thrust || need_package libthrust-dev libcub-dev
 if [[ "${1:-}" == --all ]]; then

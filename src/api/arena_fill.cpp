@@ -306,6 +306,7 @@ Simulation<T> views_of(const plan::Layout& l, const plan::Plan& plan, const plan
                    reinterpret_cast<const ReachOfCollider<T>*>(at(l.near_reach))};
   sim.activity = reinterpret_cast<const ClothActivity<T>*>(at(l.activity));
   sim.reach = reinterpret_cast<BlockReach<T>*>(at(l.block_reach));
+  sim.near_memory = reinterpret_cast<NearMemory<T>*>(at(l.near_memory));
   sim.survey_ranges = reinterpret_cast<const SurveyRange*>(at(l.survey_ranges));
   sim.survey = reinterpret_cast<Survey<T>*>(at(l.survey));
   sim.survey_count = static_cast<int>(shape.survey_groups());

@@ -7,8 +7,8 @@
 
 namespace weft::api {
 
-/// cell_start, entry_triangle, planes, corners, sides; in this order everywhere.
-constexpr int mesh_arrays = 5;
+/// cell_start, entry_triangle, planes, corners, sides, occupied; in this order everywhere.
+constexpr int mesh_arrays = 6;
 
 /// 0: there is no such array. `planes` must be aligned to 64 bytes.
 struct MeshArraySizes {

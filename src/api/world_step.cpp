@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "api/collider_mesh_arrays.h"
+#include "api/vector_math.h"
 #include "api/world_state.h"
 #include "scene/fan.h"
 #include "scene/stability.h"
@@ -130,8 +131,14 @@ api::ClothRecord& World::Impl::bound_of(api::ClothRecord& cloth) {
     for (const api::PinRecord& pin : cloth.pins) pinned[pin.vertex] = 1;
   }
   const double lagged = cloth.drag_model == DragModel::lagged ? cloth.drag : 0;
+  double blown = 0;
+  if (wind) {
+    const double speed = api::length(wind->velocity) + api::length(cloth.velocity);
+    blown = speed * wind->air_density * std::max(wind->normal, wind->tangential) / 12;
+  }
   const scene::Bound bound = scene::stable_bound(
-      cloth.cooked(), {cloth.pins.empty() ? nullptr : &pinned, lagged, cloth.spring_damping});
+      cloth.cooked(),
+      {cloth.pins.empty() ? nullptr : &pinned, lagged, cloth.spring_damping, blown});
   cloth.bound_dt = bound.dt;
   cloth.bound_a = bound.a;
   cloth.bound_b = bound.b;

@@ -80,25 +80,49 @@ struct CollideStage {
     if (touched) respond(shape, before, now, i0, lanes);
   }
 
-  /// Triangles are looked at particle by particle: no two have the same list.
   template <int N>
   WEFT_HD void meet(const MeshCollider<T>& mesh, int i0, Lanes<N> lanes) const {
     if (mesh.surface.turn >= 0) {
       const Turned<T> before = turned(sim.colliders, mesh.surface, step, 1);
-      return meet_triangles(mesh, before, turned(sim.colliders, mesh.surface, step, 0), i0, lanes);
+      return meet_mesh(mesh, before, turned(sim.colliders, mesh.surface, step, 0), i0, lanes);
     }
-    meet_triangles(mesh, shifted(mesh.surface, step, 1), shifted(mesh.surface, step, 0), i0, lanes);
+    meet_mesh(mesh, shifted(mesh.surface, step, 1), shifted(mesh.surface, step, 0), i0, lanes);
   }
   template <class Placement, int N>
+  WEFT_HD void meet_mesh(const MeshCollider<T>& mesh, const Placement& before, const Placement& now,
+                         int i0, Lanes<N> lanes) const {
+    if (step.position_form) {
+      meet_triangles<true>(mesh, before, now, i0, lanes);
+    } else {
+      meet_triangles<false>(mesh, before, now, i0, lanes);
+    }
+  }
+  /// All lanes find their cells; then those that have triangles near them, or are fast, are looked
+  /// at one by one: no two have the same list.
+  template <bool Position, class Placement, int N>
   WEFT_HD_COLD void meet_triangles(const MeshCollider<T>& mesh, const Placement& before,
                                    const Placement& now, int i0, Lanes<N> lanes) const {
-    if (step.position_form) {
-      const MeshResponse<T, true, Placement> response{sim.inverse_mass, p, mesh, before, now};
-      lanes.each_alone([&](int l) { response(i0 + l); });
-    } else {
-      const MeshResponse<T, false, Placement> response{sim.inverse_mass, p, mesh, before, now};
-      lanes.each_alone([&](int l) { response(i0 + l); });
-    }
+    const int32_t number = 1 + static_cast<int32_t>(&mesh - sim.colliders.meshes);
+    const MeshResponse<T, Position, Placement> response{
+        sim.inverse_mass, p, sim.near_memory, number, mesh, before, now};
+    const MeshEnds<T, Placement> ends{p.x_in, p.x_out, mesh.rotation, mesh.translate, before, now};
+    const CellFinder<T> cells = cells_of(mesh.grid);
+    const T short2 = T(0.25) * mesh.grid.thickness * mesh.grid.thickness;
+    LaneVec3<T, N> from, to;
+    int32_t cell[N], brick[N];
+    lanes.each([&](int l) WEFT_LANE {
+      const Vec3<T> p0 = ends.start(i0 + l), p1 = ends.end(i0 + l);
+      from.set(l, p0);
+      to.set(l, p1);
+      const CellAndBrick at = cells.find(p1);
+      cell[l] = magnitude2(p1 - p0) > short2 ? is_fast : at.cell;
+      brick[l] = at.brick;
+    });
+    lanes.each_alone([&](int l) {
+      if (cell[l] == no_cell) return;
+      if (cell[l] != is_fast && !is_occupied(mesh.grid, brick[l])) return;
+      response.respond(i0 + l, from.get(l), to.get(l));
+    });
   }
 
   /// Moves the free particles of a block out of a collider. A function of its own on the host: most

@@ -99,8 +99,8 @@ WEFT_HD Vec3<T> outward(const TriangleGrid<T>& grid, const Nearest<T>& near, Vec
 
 /// Contact of a particle that came to x from less than the thickness away.
 template <class T>
-WEFT_HD_COLD Touch<T> touch(const TriangleGrid<T>& grid, Vec3<T> from, Vec3<T> x) {
-  const Nearest<T> near = nearest(grid, x);
+WEFT_HD_COLD Touch<T> touch(const TriangleGrid<T>& grid, const Nearest<T>& near, Vec3<T> from,
+                            Vec3<T> x) {
   if (near.triangle < 0) return {{false, x, {T(0), T(0), T(0)}, false}, false};
   Vec3<T> away = near.away, normal = outward(grid, near, from, x);
   const Vec3<T> way = x - from;
@@ -160,7 +160,7 @@ WEFT_HD_COLD MeshContact<T> sweep(const TriangleGrid<T>& grid, Vec3<T> p0, Vec3<
     const bool at_end = piece == pieces && span.out >= T(1);
     const T share = span.in + part * (T(piece) / T(pieces));
     const Vec3<T> x = at_end ? p1 : p0 + share * way;
-    Touch<T> found = touch(grid, from, x);
+    Touch<T> found = touch(grid, nearest(grid, x), from, x);
     if (found.contact.hit && (outside || found.crossed || at_end)) {
       found.contact.stopped = !at_end;
       return found.contact;
@@ -171,14 +171,26 @@ WEFT_HD_COLD MeshContact<T> sweep(const TriangleGrid<T>& grid, Vec3<T> p0, Vec3<
   return {false, p1, {T(0), T(0), T(0)}, false};
 }
 
+template <class T>
+WEFT_HD bool is_long(const TriangleGrid<T>& grid, Vec3<T> way) {
+  const T short_way = T(0.5) * grid.thickness;
+  return dot(way, way) > short_way * short_way;
+}
+
 /// Contact of a particle that moves from p0 to p1, both in the mesh's own frame.
 template <class T>
 WEFT_HD MeshContact<T> mesh_contact(const TriangleGrid<T>& grid, Vec3<T> p0, Vec3<T> p1) {
-  const Vec3<T> way = p1 - p0;
-  const T short_way = T(0.5) * grid.thickness;
-  if (dot(way, way) > short_way * short_way) return sweep(grid, p0, p1);
-  if (list_of(grid, p1) == no_list) return {false, p1, {T(0), T(0), T(0)}, false};
-  return touch(grid, p0, p1).contact;
+  if (is_long(grid, p1 - p0)) return sweep(grid, p0, p1);
+  return touch(grid, nearest(grid, p1), p0, p1).contact;
+}
+/// The same with the memory of the particle; `mesh` names the collider in it.
+template <class T>
+WEFT_HD MeshContact<T> mesh_contact(const TriangleGrid<T>& grid, Vec3<T> p0, Vec3<T> p1,
+                                    NearMemory<T>& memory, int32_t mesh) {
+  if (is_long(grid, p1 - p0)) return sweep(grid, p0, p1);
+  const Nearest<T> near = nearest(grid, p1, memory, mesh);
+  if (near.triangle < 0) return {false, p1, {T(0), T(0), T(0)}, false};
+  return touch(grid, near, p0, p1).contact;
 }
 
 }  // namespace WEFT_BACKEND_NS

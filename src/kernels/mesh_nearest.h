@@ -4,6 +4,7 @@
 // distance from below, exactly over the face; only triangles with the least bounds are measured.
 #pragma once
 
+#include "kernels/colliders.h"
 #include "state/collider_mesh.h"
 
 namespace weft {
@@ -37,6 +38,17 @@ WEFT_HD Cell clamped_cell(const TriangleGrid<T>& grid, Vec3<T> x) {
   return {clamped_along(from.x, grid.inverse_cell_size, grid.cells[0]),
           clamped_along(from.y, grid.inverse_cell_size, grid.cells[1]),
           clamped_along(from.z, grid.inverse_cell_size, grid.cells[2])};
+}
+
+template <class T>
+WEFT_HD int32_t bricks_along(const TriangleGrid<T>& grid, int axis) {
+  return (grid.cells[axis] + brick_edge - 1) / brick_edge;
+}
+/// Whether any cell of a brick has a list.
+template <class T>
+WEFT_HD bool is_occupied(const TriangleGrid<T>& grid, int32_t brick) {
+  const auto b = static_cast<uint32_t>(brick);
+  return ((grid.occupied[b / 32] >> (b % 32)) & 1u) != 0;
 }
 
 template <class T>
@@ -110,52 +122,116 @@ WEFT_HD T bound2(const T* value) {
   return value[0] * value[0] + beyond * beyond;
 }
 
+/// Rounding of a plane distance. A triangle is passed over only when its bound is above the best
+/// distance by more: which one wins does not depend on the order of the list.
+template <class T>
+struct Rounding {
+  T distance, square;
+};
+template <class T>
+WEFT_HD Rounding<T> rounding_at(const TriangleGrid<T>& grid, Vec3<T> x) {
+  const T epsilon = sizeof(T) == 4 ? T(1e-6) : T(2e-15);
+  const T e = epsilon * (magnitude(x.x) + magnitude(x.y) + magnitude(x.z) + grid.thickness);
+  return {e, e * (T(4) * grid.thickness + e)};
+}
+
 /// The triangle becomes `best` if it is nearer; of equally near ones the lower number.
 template <class T>
-WEFT_HD void measure(const TriangleGrid<T>& grid, int32_t triangle, Vec3<T> x, Nearest<T>& best) {
-  T value[4];
-  plane_values(grid.planes[triangle], x, value);
+WEFT_HD void measure(const TriangleGrid<T>& grid, int32_t triangle, const T* value, Vec3<T> x,
+                     Nearest<T>& best) {
   Nearest<T> found{triangle, -1, false, {T(0), T(0), T(0)}, bound2(value)};
-  if (found.distance2 > best.distance2) return;
   if (larger(larger(value[1], value[2]), value[3]) > T(0)) {
     nearest_on_edges(grid.corners[triangle], value + 1, x, found);
   }
   const bool tie = found.distance2 == best.distance2 && triangle < best.triangle;
   if (found.distance2 < best.distance2 || tie) best = found;
 }
+template <class T>
+WEFT_HD void measure_if_near(const TriangleGrid<T>& grid, int32_t triangle, Vec3<T> x,
+                             const Rounding<T>& rounding, Nearest<T>& best) {
+  T value[4];
+  plane_values(grid.planes[triangle], x, value);
+  if (bound2(value) > best.distance2 + rounding.square) return;
+  measure(grid, triangle, value, x, best);
+}
 
 template <class T>
 WEFT_HD void nearest_of_list(const TriangleGrid<T>& grid, const int32_t* list, Vec3<T> x,
-                             Nearest<T>& best) {
+                             const Rounding<T>& rounding, Nearest<T>& best) {
   int32_t entry = 0;
   do {
     entry = *list++;
-    measure(grid, entry < 0 ? ~entry : entry, x, best);
+    measure_if_near(grid, entry < 0 ? ~entry : entry, x, rounding, best);
   } while (entry >= 0);
+}
+
+/// The same, and keeps the triangles with the least bounds.
+template <class T>
+WEFT_HD_COLD void search_list(const TriangleGrid<T>& grid, const int32_t* list, Vec3<T> x,
+                              const Rounding<T>& rounding, NearMemory<T>& memory,
+                              Nearest<T>& best) {
+  T bound[most_remembered + 1];  // ascending; the last one belongs to no remembered triangle
+  for (int k = 0; k <= most_remembered; ++k) bound[k] = T(3e38);
+  for (int k = 0; k < most_remembered; ++k) memory.triangle[k] = -1;
+  int32_t entry = 0;
+  do {
+    entry = *list++;
+    const int32_t triangle = entry < 0 ? ~entry : entry;
+    T value[4];
+    plane_values(grid.planes[triangle], x, value);
+    const T b = bound2(value);
+    if (b <= best.distance2 + rounding.square) measure(grid, triangle, value, x, best);
+    if (b >= bound[most_remembered]) continue;
+    int k = most_remembered;
+    for (; k > 0 && b < bound[k - 1]; --k) {
+      bound[k] = bound[k - 1];
+      if (k < most_remembered) memory.triangle[k] = memory.triangle[k - 1];
+    }
+    bound[k] = b;
+    if (k < most_remembered) memory.triangle[k] = triangle;
+  } while (entry >= 0);
+  memory.at = x;
+  for (int k = 0; k < most_remembered; ++k) {
+    memory.later[k] = square_root(bound[k + 1]) - T(3) * rounding.distance;
+  }
+}
+
+/// Whether the remembered triangles were enough to find the nearest one.
+template <class T>
+WEFT_HD bool recall(const TriangleGrid<T>& grid, const NearMemory<T>& memory, Vec3<T> x,
+                    const Rounding<T>& rounding, Nearest<T>& best) {
+  const Vec3<T> way = x - memory.at;
+  const T moved = square_root(dot(way, way));
+  for (int k = 0; k < most_remembered && memory.triangle[k] >= 0; ++k) {
+    measure_if_near(grid, memory.triangle[k], x, rounding, best);
+    // best + moved < later, without the root of the best
+    const T left = memory.later[k] - moved;
+    if (left > T(0) && best.distance2 < left * left) return true;
+  }
+  return false;
 }
 
 /// What cell_start has for the cell of x.
 template <class T>
 WEFT_HD int32_t list_of(const TriangleGrid<T>& grid, Vec3<T> x) {
   const Cell c = cell_of(grid, x);
-  return (c.i | c.j | c.k) < 0 ? no_list : grid.cell_start[cell_number(grid, c)];
+  if ((c.i | c.j | c.k) < 0) return no_list;
+  return grid.cell_start[cell_number(grid, c)];
 }
 
 template <class T>
-WEFT_HD Nearest<T> nearest(const TriangleGrid<T>& grid, Vec3<T> x) {
-  const T thickness2 = grid.thickness * grid.thickness;
-  const Nearest<T> none{-1, -1, false, {T(0), T(0), T(0)}, thickness2};
-  const int32_t start = list_of(grid, x);
-  if (start == no_list) return none;
+WEFT_HD Nearest<T> no_triangle(const TriangleGrid<T>& grid) {
+  return {-1,
+          -1,
+          false,
+          {T(0), T(0), T(0)},
+          grid.closed != 0 ? T(3e38) : grid.thickness * grid.thickness};
+}
 
-  Nearest<T> best = none;
-  if (grid.closed != 0) best.distance2 = T(3e38);
-  if (start <= deep_inside) {
-    measure(grid, deep_inside - start, x, best);
-  } else {
-    nearest_of_list(grid, grid.entry_triangle + start, x, best);
-  }
-  if (best.triangle < 0) return none;
+/// The last touches on the nearest triangle: its height above the face, and the side.
+template <class T>
+WEFT_HD Nearest<T> finish(const TriangleGrid<T>& grid, Vec3<T> x, bool deep, Nearest<T> best) {
+  if (best.triangle < 0) return best;
   if (best.feature < 0) {  // from a corner the height is exact, from the offset it is rounded
     const Vec3<T> n = face_normal(grid, best.triangle);
     const T height = dot(n, x - grid.corners[best.triangle].corner[0]);
@@ -163,8 +239,46 @@ WEFT_HD Nearest<T> nearest(const TriangleGrid<T>& grid, Vec3<T> x) {
     best.distance2 = height * height;
   }
   if (grid.closed == 0) return best;
-  best.inside = start <= deep_inside || lies_inside(grid, best);
-  return best.inside || best.distance2 < thickness2 ? best : none;
+  best.inside = deep || lies_inside(grid, best);
+  if (!best.inside && !(best.distance2 < grid.thickness * grid.thickness)) best.triangle = -1;
+  return best;
+}
+
+/// Stateless: from the list of the cell of x.
+template <class T>
+WEFT_HD Nearest<T> nearest(const TriangleGrid<T>& grid, Vec3<T> x) {
+  Nearest<T> best = no_triangle(grid);
+  const int32_t start = list_of(grid, x);
+  if (start == no_list) return best;
+  if (start > deep_inside) {
+    nearest_of_list(grid, grid.entry_triangle + start, x, rounding_at(grid, x), best);
+  } else {
+    T value[4];
+    plane_values(grid.planes[deep_inside - start], x, value);
+    measure(grid, deep_inside - start, value, x, best);
+  }
+  return finish(grid, x, start <= deep_inside, best);
+}
+
+/// The same, to the last bit, with the memory of a particle; `mesh` names the collider in it.
+template <class T>
+WEFT_HD Nearest<T> nearest(const TriangleGrid<T>& grid, Vec3<T> x, NearMemory<T>& memory,
+                           int32_t mesh) {
+  const Cell c = cell_of(grid, x);
+  if ((c.i | c.j | c.k) < 0) return no_triangle(grid);
+  const int32_t cell = cell_number(grid, c);
+  const Rounding<T> rounding = rounding_at(grid, x);
+  Nearest<T> best = no_triangle(grid);
+  if (memory.mesh == mesh && memory.cell == cell && recall(grid, memory, x, rounding, best)) {
+    return finish(grid, x, false, best);
+  }
+  const int32_t start = grid.cell_start[cell];
+  if (start < 0) return nearest(grid, x);
+  best = no_triangle(grid);
+  search_list(grid, grid.entry_triangle + start, x, rounding, memory, best);
+  memory.mesh = mesh;
+  memory.cell = cell;
+  return finish(grid, x, false, best);
 }
 
 }  // namespace WEFT_BACKEND_NS

@@ -27,7 +27,7 @@ struct ClothShape {
 
 /// Of the arrays of one cooked collider mesh (state/collider_mesh.h): bytes, or offsets.
 struct MeshArrays {
-  static constexpr int count = 5;
+  static constexpr int count = 6;
   size_t of[count];
 };
 

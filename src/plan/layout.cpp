@@ -72,6 +72,9 @@ void lay_out_activity(const WorldShape& world, Cutter& cut, Layout& l) {
     const size_t rows = size_t(world.substeps) + 1;
     l.turn = cut.take(rows * world.turning_colliders, sizeof(Mat3<T>));
   }
+  if (!world.meshes.empty()) {
+    l.near_memory = cut.take(world.blocks() * block_size, sizeof(NearMemory<T>));
+  }
   for (const MeshArrays& m : world.meshes) {
     MeshArrays offsets{};
     for (int a = 0; a < MeshArrays::count; ++a) {

@@ -24,7 +24,7 @@ class BoundSearch {
     const double root_k = std::sqrt(stiffness_), c = damping_.value + drag_.value;
     if (root_k == 0 && c == 0) return {std::numeric_limits<double>::infinity(), 0, 0};
     // The root of dt^2 K + 2 dt C = 4 without cancellation or overflow.
-    const double dt = 4 / (c + std::hypot(c, 2 * root_k));
+    const double dt = with_wind(4 / (c + std::hypot(c, 2 * root_k)), root_k * root_k, c);
     // Named is what alone would bound the step most.
     if (root_k >= c) return {dt, a_, b_};
     const Worst& worst = damping_.value >= drag_.value ? damping_ : drag_;
@@ -32,6 +32,37 @@ class BoundSearch {
   }
 
  private:
+  /// dt^2 K + 2 dt C + 2 G/(1 + G) = 4, G = dt w, below the root without wind.
+  double with_wind(double dt, double k, double c) const {
+    const double w = input_.wind > 0 ? input_.wind * largest_area_by_mass() : 0;
+    if (!(w > 0)) return dt;
+    double low = dt / 2, high = dt;
+    for (int round = 0; round < 60; ++round) {
+      const double t = (low + high) / 2;
+      (t * t * k + 2 * t * c + 2 * t * w / (1 + t * w) > 4 ? high : low) = t;
+    }
+    return low;
+  }
+
+  /// The largest sum of 2 A by the mass of a vertex, 1/kg m^2.
+  double largest_area_by_mass() const {
+    std::vector<double> sum(fabric_.vertices, 0);
+    uint32_t v[3];
+    for (uint64_t t = 0; t < triangle_count(fabric_); ++t) {
+      triangle(fabric_, t, v);
+      const double3 a = fabric_.position_of(v[0]), b = fabric_.position_of(v[1]),
+                    c = fabric_.position_of(v[2]);
+      const double3 p{b.x - a.x, b.y - a.y, b.z - a.z}, q{c.x - a.x, c.y - a.y, c.z - a.z};
+      const double x = p.y * q.z - p.z * q.y, y = p.z * q.x - p.x * q.z, z = p.x * q.y - p.y * q.x;
+      for (const uint32_t corner : v) sum[corner] += std::sqrt(x * x + y * y + z * z);
+    }
+    double most = 0;
+    for (uint32_t i = 0; i < fabric_.vertices; ++i) {
+      most = std::max(most, sum[i] * inverse_mass(i));
+    }
+    return most;
+  }
+
   double inverse_mass(uint32_t v) const {
     return input_.pinned && (*input_.pinned)[v] ? 0 : 1 / fabric_.mass_of(v);
   }

@@ -30,18 +30,36 @@ struct TriangleSides {
 /// complement ~triangle. Without a list: no_list where nothing is nearer than the thickness; deep
 /// inside a closed mesh deep_inside - triangle, for some triangle nearby.
 constexpr int32_t no_list = -1, deep_inside = -2;
+/// Cells are summed up in bricks of 2 x 2 x 2, so that most points are known to be far from all
+/// triangles without a look at their cell.
+constexpr int32_t brick_edge = 2;
 template <class T>
 struct TriangleGrid {
   Vec3<T> low;  ///< corner of cell 0
   T cell_size, inverse_cell_size;
   int32_t cells[3];
   T thickness;
-  int32_t closed;  ///< 1: has an inside
+  int32_t closed;            ///< 1: has an inside
+  const uint32_t* occupied;  ///< a bit per brick: some cell of it has a list
   const int32_t* cell_start;
   const int32_t* entry_triangle;
   const TrianglePlanes<T>* planes;
   const TriangleCorners<T>* corners;
   const TriangleSides<T>* sides;  ///< null unless closed
+};
+
+/// What one particle remembers of its last full search: the triangles of the list with the least
+/// bounds, and how far away at least all later ones were. As long as the particle is in the same
+/// cell and has not moved so far that another could have come nearer, looking at these few, or at
+/// the first of them, gives what looking at all would: the same bits, whatever the memory's age.
+constexpr int most_remembered = 6;
+template <class T>
+struct NearMemory {
+  Vec3<T> at;
+  int32_t mesh;                       ///< number of the collider, from 1; 0: nothing is remembered
+  int32_t cell;                       ///< number of the cell
+  int32_t triangle[most_remembered];  ///< -1: no more
+  T later[most_remembered];           ///< m: no triangle behind this one was nearer to `at`
 };
 
 }  // namespace weft

@@ -34,6 +34,7 @@ struct Simulation {
   Colliders<T> colliders;
   const ClothActivity<T>* activity;  ///< null: no colliders, and nobody sleeps
   BlockReach<T>* reach;              ///< by block; null without colliders
+  NearMemory<T>* near_memory;        ///< by particle; null without collider meshes
   const SurveyRange* survey_ranges;
   Survey<T>* survey;
   int survey_count;

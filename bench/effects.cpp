@@ -1,6 +1,7 @@
 #include "bench/effects.h"
 
 #include <cmath>
+#include <cstring>
 #include <memory>
 
 #include "bench/interleave.h"
@@ -196,6 +197,17 @@ Row figure(const std::string& name, const char* metric, const char* unit, double
   return {"effects", name, metric, unit, value, value, value, 1};
 }
 
+/// Of the pass of a substep, as the plan counts it.
+double flops_of(World& world) {
+  const auto plan = world.plan();
+  for (uint32_t i = 0; plan && i < plan->passes.count; ++i) {
+    if (std::strcmp(plan->passes[i].stage, "advance") == 0) {
+      return plan->passes[i].flops_per_particle;
+    }
+  }
+  return 0;
+}
+
 struct Measured {
   std::shared_ptr<SteppedWorld> world;
   size_t index;
@@ -235,6 +247,8 @@ std::vector<Row> run_effects(bool quick, std::ostream& progress) {
   runs.run(rounds, progress);
   runs.append_times("ns_per_particle_step", "ns", rows);
   const double bytes = double(bare.world->world().stats().bytes_state);
+  const double flops = flops_of(bare.world->world());
+  rows.push_back(figure("bare sheet", "flops", "1/particle", flops));
   const double passes = (*bare.world->world().plan()).passes.count;
   rows.push_back(figure("bare sheet", "bytes", "B/particle", bytes / bare.world->particles()));
   rows.push_back(figure("bare sheet", "passes", "1", passes));

@@ -54,8 +54,8 @@ if [[ $# -gt 1 || ( $# -eq 1 && "$1" != --all ) ]]; then
 fi
 if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
   echo "setup: this is not a Debian system (no apt-get). Install by hand: a C++20 compiler," \
-       "CMake 3.25, Ninja, git, Python 3, binutils, Valgrind, GoogleTest, Eigen, nlohmann-json, CLI11," \
-       "Thrust with CUB, and the Assimp test models (optional)" >&2
+       "CMake 3.25, Ninja, git, Python 3, binutils, Valgrind, GoogleTest, Eigen, nlohmann-json," \
+       "CLI11, Thrust with CUB, and the Assimp test models (optional)" >&2
   exit 1
 fi
 

@@ -91,7 +91,7 @@ void ColliderInputs<T>::stage_turns(const FrameInput& input) {
 template <class T>
 Surface<T> ColliderInputs<T>::surface_of(const Entry& e, const double3& origin) const {
   return {narrow<T>(e.path.velocity), static_cast<T>(e.record->friction),
-          static_cast<T>(e.record->sweep * e.record->sweep), e.turn,
+          static_cast<T>(e.record->sweep), e.turn,
           narrow<T>(minus(e.path.begin.translate, origin))};
 }
 

@@ -102,9 +102,6 @@ struct CollideStage {
   template <bool Position, class Placement, int N>
   WEFT_HD_COLD void meet_triangles(const MeshCollider<T>& mesh, const Placement& before,
                                    const Placement& now, int i0, Lanes<N> lanes) const {
-    const int32_t number = 1 + static_cast<int32_t>(&mesh - sim.colliders.meshes);
-    const MeshResponse<T, Position, Placement> response{
-        sim.inverse_mass, p, sim.near_memory, number, mesh, before, now};
     const MeshEnds<T, Placement> ends{p.x_in, p.x_out, mesh.rotation, mesh.translate, before, now};
     const CellFinder<T> cells = cells_of(mesh.grid);
     const T short2 = T(0.25) * mesh.grid.thickness * mesh.grid.thickness;
@@ -118,11 +115,25 @@ struct CollideStage {
       cell[l] = magnitude2(p1 - p0) > short2 ? is_fast : at.cell;
       brick[l] = at.brick;
     });
+    const int32_t number = 1 + static_cast<int32_t>(&mesh - sim.colliders.meshes);
+    MeshPushes<T, N> wanted;
+    bool any = false;
     lanes.each_alone([&](int l) {
+      wanted.hit[l] = T(0);
       if (cell[l] == no_cell) return;
       if (cell[l] != is_fast && !is_occupied(mesh.grid, brick[l])) return;
-      response.respond(i0 + l, from.get(l), to.get(l));
+      const MeshContact<T> contact =
+          mesh_contact(mesh.grid, from.get(l), to.get(l), sim.near_memory[i0 + l], number);
+      if (!contact.hit) return;
+      any = true;
+      wanted.hit[l] = contact.stopped ? T(2) : T(1);
+      wanted.push.set(l, contact.to - to.get(l));
+      wanted.normal.set(l, contact.normal);
     });
+    if (!any) return;
+    const MeshResponse<T, Position, Placement, N> response{
+        sim.inverse_mass, p, mesh.rotation, mesh.surface.friction, before, now};
+    lanes.each([&](int l) WEFT_LANE { response(l, i0 + l, wanted); });
   }
 
   /// Moves the free particles of a block out of a collider. A function of its own on the host: most

@@ -22,11 +22,11 @@ WEFT_HD bool is_inside(const Sphere<T>& s, Vec3<T> x) {
   const Vec3<T> from = x - s.center;
   return dot(from, from) < s.radius * s.radius;
 }
-/// Away from a centre `from` away; at the very centre along `side`.
+/// Away from a centre `from` away; from so near to it that rounding decides, along `side`.
 template <class T>
 WEFT_HD WayOut<T> way_out_of_ball(Vec3<T> from, T radius, Vec3<T> side) {
   const T distance = square_root(dot(from, from));
-  const bool at_center = !(distance > T(0));
+  const bool at_center = !(distance > T(1e-5) * radius);
   const T scale = T(1) / (at_center ? T(1) : distance);
   return {select(at_center, side, scale * from), radius - distance};
 }
@@ -117,15 +117,12 @@ WEFT_HD WayOut<T> way_out(const Box<T>& b, Vec3<T> x) {
   return {select(x_first, out_x, select(y_before_z, out_y, out_z)), x_first ? depth.x : depth_yz};
 }
 
-/// The part of the way out that the velocity takes, as a factor in [0, 1]: all of it, unless a
-/// particle would then leave along the normal faster than it came (`slip`: its displacement
-/// relative to the surface's). One that rests deep inside is moved out but not thrown out (hard
-/// case 46).
+/// How much of the way out of a deep overlap the velocity takes, as a displacement: what the
+/// particle came in with (`across`: its displacement along the normal, relative to the surface's)
+/// and no more. One that rests deep inside is moved out but not thrown out (hard case 46).
 template <class T>
-WEFT_HD T impact_share(T depth, T slip_along_normal, T slip_length) {
-  const bool in = depth > T(0);
-  const T share = (slip_length - slip_along_normal) / (in ? depth : T(1));
-  return larger(T(0), smaller(T(1), share));
+WEFT_HD T stopped_displacement(T depth, T across) {
+  return smaller(depth, larger(T(0), -across));
 }
 
 /// Coulomb friction as a displacement: takes back a slip along the surface, at most `most` of it,

@@ -21,7 +21,8 @@ struct Concern {
     if constexpr (!IsSwept<Shape>::value) {
       return inside;
     } else {
-      const bool fast = magnitude2(p1 - (load(x_in, i) - by_before)) > shape.surface.sweep2;
+      const bool fast =
+          magnitude2(p1 - (load(x_in, i) - by_before)) > shape.surface.sweep * shape.surface.sweep;
       return inside | fast;
     }
   }
@@ -38,44 +39,54 @@ struct Contact {
   WEFT_HD Vec3<T> way(int i) const {
     return at_start(now, load(p.x_out, i)) - at_start(before, load(p.x_in, i));
   }
-  WEFT_HD bool is_fast(int i) const { return magnitude2(way(i)) > shape.surface.sweep2; }
+  WEFT_HD bool is_fast(int i) const {
+    return magnitude2(way(i)) > shape.surface.sweep * shape.surface.sweep;
+  }
 
-  /// A fast particle whose way leads through the shape, or so deep into it that the way out would
-  /// be on the far side, ends the substep where it entered and keeps the velocity along the
-  /// surface. For single particles: it branches.
+  /// A fast particle that comes from outside ends the substep where it enters; one that was at the
+  /// surface already slides along it. Either loses its velocity into the surface. For single
+  /// particles: it branches.
   WEFT_HD void stop_at_entry(int i) const {
     if (!(inverse_mass[i] > T(0))) return;
-    const Vec3<T> x = load(p.x_out, i);
-    const Vec3<T> p0 = at_start(before, load(p.x_in, i)), p1 = at_start(now, x), way = p1 - p0;
+    const Vec3<T> x = load(p.x_out, i), x0 = load(p.x_in, i);
+    const Vec3<T> p0 = at_start(before, x0), p1 = at_start(now, x), way = p1 - p0;
     const T length2 = magnitude2(way);
-    if (!(length2 > shape.surface.sweep2)) return;
-    if (is_inside(shape, p1) && !(dot(way_out(shape, p1).normal, way) > T(0))) return;
-    const Entry<T> at = entry(shape, p0, p1);
-    // What only grazes the surface slides on it.
-    if (at.time > T(1) || !(at.within * at.within * length2 > shape.surface.sweep2)) return;
+    if (!(length2 > shape.surface.sweep * shape.surface.sweep)) return;
+    const Entry<T> at = first_entry(p0, p1);
+    const T into = dot(way, at.normal);
+    if (at.time > T(1) || !(into < T(0))) return;
+    // What only grazes the shape and ends outside goes its way.
+    const bool grazes = at.within * at.within * length2 < shape.surface.sweep * shape.surface.sweep;
+    if (grazes && !is_inside(shape, p1)) return;
 
-    const Vec3<T> entered = at_present(now, p0 + at.time * way);
+    const bool slides = at.time * square_root(length2) <= surface_of(p0);
+    const Vec3<T> to = slides ? p0 + (way - into * at.normal) : p0 + at.time * way;
     const Vec3<T> normal = turned(now, at.normal);
-    const Vec3<T> d = displacement_of(i, x), slip = d - carried(before, now, entered);
-    const T against = larger(T(0), -dot(slip, normal));
-    const Vec3<T> along = slip + against * normal;
-    const Vec3<T> drag = friction_against(along, shape.surface.friction * against);
-    store(p.x_out, i, entered);
+    const Vec3<T> d = displacement_of(i, x), slip = d - carried(before, now, x0);
+    const T across = dot(slip, normal), against = larger(T(0), -across);
+    const Vec3<T> drag = friction_against(slip - across * normal, shape.surface.friction * against);
+    const Vec3<T> at_end = at_present(now, to);
+    store(p.x_out, i, slides ? at_end + drag : at_end);
     if constexpr (!Position) store(p.d_out, i, d + (against * normal + drag));
   }
 
-  /// A particle inside goes to the surface. The displacement takes the same correction as the
-  /// position, not the difference of positions: that would round away what the summed form keeps.
-  /// In the position form it follows from the positions.
+  /// A particle inside goes to the surface. Its velocity takes the whole way out, as positions have
+  /// it, unless it was inside before: then only what it came in with (hard case 46). The
+  /// displacement takes the same correction as the position, not the difference of positions: that
+  /// would round away what the summed form keeps. In the position form it follows from the
+  /// positions.
   WEFT_HD void push_out(int i) const {
     const Vec3<T> x = load(p.x_out, i), p1 = at_start(now, x);
     const bool free = inverse_mass[i] > T(0), inside = is_inside(shape, p1);
     const WayOut<T> out = way_out(shape, p1);
     const T depth = free & inside ? out.depth : T(0);
     const Vec3<T> normal = turned(now, out.normal);
-    const Vec3<T> d = displacement_of(i, x), slip = d - carried(before, now, x);
+    const Vec3<T> d = displacement_of(i, x), slip = d - carried(before, now, load(p.x_in, i));
     const T across = dot(slip, normal);
-    const T moved = impact_share(depth, across, square_root(dot(slip, slip))) * depth;
+    const T before_depth = depth_before(i);
+    const T made = larger(T(0), depth - before_depth);  // in this substep
+    const bool deep = before_depth > surface_of(p1);
+    const T moved = deep ? stopped_displacement(depth, across) : made;
     const Vec3<T> drag = friction_against(slip - across * normal, shape.surface.friction * moved);
     const bool hit = depth > T(0);
     const Vec3<T> none{T(0), T(0), T(0)};
@@ -84,6 +95,27 @@ struct Contact {
   }
 
  private:
+  /// How near to the surface a particle counts as being at it: rounding, or a trifle of the size.
+  WEFT_HD T surface_of(Vec3<T> p0) const {
+    const T epsilon = sizeof(T) == 4 ? T(1e-6) : T(2e-15);
+    return T(1e-3) * shape.surface.sweep +
+           epsilon * (magnitude(p0.x) + magnitude(p0.y) + magnitude(p0.z));
+  }
+  /// How deep inside the particle was at the start of the substep.
+  WEFT_HD T depth_before(int i) const {
+    const Vec3<T> p0 = at_start(before, load(p.x_in, i));
+    const bool inside = is_inside(shape, p0);
+    const T depth = way_out(shape, p0).depth;
+    return inside ? depth : T(0);
+  }
+  /// Where the way enters. A beginning a hair's breadth inside counts as at the surface; from
+  /// deeper inside nothing is entered.
+  WEFT_HD Entry<T> first_entry(Vec3<T> p0, Vec3<T> p1) const {
+    if (!is_inside(shape, p0)) return entry(shape, p0, p1);
+    const WayOut<T> out = way_out(shape, p0);
+    const bool at_surface = out.depth <= surface_of(p0);
+    return {at_surface ? T(0) : T(2), T(1), out.normal};
+  }
   WEFT_HD Vec3<T> displacement_of(int i, Vec3<T> x) const {
     if constexpr (Position) {
       return x - load(p.x_in, i);

@@ -165,34 +165,49 @@ WEFT_HD void nearest_of_list(const TriangleGrid<T>& grid, const int32_t* list, V
   } while (entry >= 0);
 }
 
-/// The same, and keeps the triangles with the least bounds.
+/// The same, and keeps the triangles with the least bounds: every bound sinks into a sorted row of
+/// few without a branch, so that the loads of many triangles overlap.
 template <class T>
 WEFT_HD_COLD void search_list(const TriangleGrid<T>& grid, const int32_t* list, Vec3<T> x,
                               const Rounding<T>& rounding, NearMemory<T>& memory,
                               Nearest<T>& best) {
-  T bound[most_remembered + 1];  // ascending; the last one belongs to no remembered triangle
-  for (int k = 0; k <= most_remembered; ++k) bound[k] = T(3e38);
-  for (int k = 0; k < most_remembered; ++k) memory.triangle[k] = -1;
+  constexpr int kept = most_remembered;
+  T bound[kept + 1];  // ascending; the last belongs to no remembered triangle
+  int32_t triangle[kept + 1];
+  for (int k = 0; k <= kept; ++k) {
+    bound[k] = T(3e38);
+    triangle[k] = -1;
+  }
   int32_t entry = 0;
-  do {
-    entry = *list++;
-    const int32_t triangle = entry < 0 ? ~entry : entry;
+  for (const int32_t* at = list; entry >= 0; ++at) {
+    entry = *at;
+    int32_t t = entry < 0 ? ~entry : entry;
     T value[4];
-    plane_values(grid.planes[triangle], x, value);
-    const T b = bound2(value);
-    if (b <= best.distance2 + rounding.square) measure(grid, triangle, value, x, best);
-    if (b >= bound[most_remembered]) continue;
-    int k = most_remembered;
-    for (; k > 0 && b < bound[k - 1]; --k) {
-      bound[k] = bound[k - 1];
-      if (k < most_remembered) memory.triangle[k] = memory.triangle[k - 1];
+    plane_values(grid.planes[t], x, value);
+    T b = bound2(value);
+    WEFT_UNROLL
+    for (int k = 0; k <= kept; ++k) {
+      const bool less = b < bound[k];
+      const T sinks = less ? bound[k] : b;
+      const int32_t sinking = less ? triangle[k] : t;
+      bound[k] = less ? b : bound[k];
+      triangle[k] = less ? t : triangle[k];
+      b = sinks;
+      t = sinking;
     }
-    bound[k] = b;
-    if (k < most_remembered) memory.triangle[k] = triangle;
-  } while (entry >= 0);
+  }
+  int k = 0;
+  for (; k < kept && triangle[k] >= 0; ++k) {
+    if (bound[k] > best.distance2 + rounding.square) break;
+    measure_if_near(grid, triangle[k], x, rounding, best);
+  }
+  if (k == kept && bound[kept] <= best.distance2 + rounding.square) {
+    nearest_of_list(grid, list, x, rounding, best);
+  }
   memory.at = x;
-  for (int k = 0; k < most_remembered; ++k) {
-    memory.later[k] = square_root(bound[k + 1]) - T(3) * rounding.distance;
+  for (int m = 0; m < kept; ++m) {
+    memory.triangle[m] = triangle[m];
+    memory.later[m] = square_root(bound[m + 1]) - T(3) * rounding.distance;
   }
 }
 

@@ -53,39 +53,37 @@ WEFT_HD CellFinder<T> cells_of(const TriangleGrid<T>& grid) {
           grid.cells[2], bricks_along(grid, 0),  bricks_along(grid, 1)};
 }
 
-/// `Position`: the displacement is kept as the previous position.
-template <class T, bool Position, class Placement>
+/// What the triangles want of the lanes of a block.
+template <class T, int N>
+struct MeshPushes {
+  LaneVec3<T, N> push, normal;  ///< in the mesh's own frame
+  T hit[N];                     ///< 0: nothing; 1: goes to the thickness; 2: was stopped on the way
+};
+
+/// Vectorised over the lanes. `Position`: the displacement is kept as the previous position.
+template <class T, bool Position, class Placement, int N>
 struct MeshResponse {
   const T* inverse_mass;
   ParticleBuffers<T> p;
-  NearMemory<T>* memory;
-  int32_t number;  ///< of the collider, in `memory`
-  const MeshCollider<T>& mesh;
+  Mat3<T> rotation;
+  T friction;
   Placement before, now;
 
-  WEFT_HD void respond(int i, Vec3<T> p0, Vec3<T> p1) const {
-    if (!(inverse_mass[i] > T(0))) return;
+  WEFT_HD void operator()(int l, int i, const MeshPushes<T, N>& wanted) const {
     const Vec3<T> x = load(p.x_out, i);
-    const MeshContact<T> contact = mesh_contact(mesh.grid, p0, p1, memory[i], number);
-    if (!contact.hit) return;
+    const bool hit = (wanted.hit[l] > T(0)) & (inverse_mass[i] > T(0));
     // The correction is turned, not the position: nothing is lost far from the mesh's origin.
-    const Vec3<T> push = turned(now, mesh.rotation * (contact.to - p1));
-    const Vec3<T> normal = turned(now, mesh.rotation * contact.normal);
-    const Vec3<T> d = displacement_of(i, x), slip = d - carried(before, now, x);
-    const T against = -dot(slip, normal), closing = against > T(0) ? against : T(0);
-    const Vec3<T> along = slip + against * normal;
-    const Vec3<T> drag = friction_against(along, mesh.surface.friction * closing);
-    store(p.x_out, i, contact.stopped ? x + push : x + (push + drag));
-    if constexpr (!Position) store(p.d_out, i, d + (closing * normal + drag));
-  }
-
- private:
-  WEFT_HD Vec3<T> displacement_of(int i, Vec3<T> x) const {
-    if constexpr (Position) {
-      return x - load(p.x_in, i);
-    } else {
-      return load(p.d_out, i);
-    }
+    const Vec3<T> push = turned(now, rotation * wanted.push.get(l));
+    const Vec3<T> normal = turned(now, rotation * wanted.normal.get(l));
+    const Vec3<T> d = Position ? x - load(p.x_in, i) : load(p.d_out, i);
+    const Vec3<T> slip = d - carried(before, now, load(p.x_in, i));
+    const T closing = larger(T(0), -dot(slip, normal));
+    // Of what was stopped on the way, only the velocity is braked.
+    const Vec3<T> drag = friction_against(slip - dot(slip, normal) * normal, friction * closing);
+    const Vec3<T> none{T(0), T(0), T(0)};
+    const Vec3<T> by = push + select(wanted.hit[l] > T(1), none, drag);
+    store(p.x_out, i, x + select(hit, by, none));
+    if constexpr (!Position) store(p.d_out, i, d + select(hit, closing * normal + drag, none));
   }
 };
 

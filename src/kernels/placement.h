@@ -46,14 +46,15 @@ template <class T>
 WEFT_HD Vec3<T> turned(const Turned<T>& p, Vec3<T> v) {
   return p.turn * v;
 }
-/// How far the collider's point at x has come since `before`.
+/// How far the collider's point that was at x has come since `before`: what sticks there goes
+/// along.
 template <class T>
 WEFT_HD Vec3<T> carried(const Shifted<T>& before, const Shifted<T>& now, Vec3<T>) {
   return now.by - before.by;
 }
 template <class T>
 WEFT_HD Vec3<T> carried(const Turned<T>& before, const Turned<T>& now, Vec3<T> x) {
-  return x - at_present(before, at_start(now, x));
+  return at_present(now, at_start(before, x)) - x;
 }
 
 /// At the end of a substep; `ago` = 1: at its start.

@@ -62,7 +62,7 @@ Pass advance_pass(const WorldShape& world, KernelKind kind) {
   flops += drag_flops * static_cast<double>(s.dragged) / n;
   flops += 3 * static_cast<double>(s.forced) / n + pin_flops * static_cast<double>(s.pinned) / n;
   for (int k = 0; k < collider_shapes; ++k) flops += shapes[k].flops * world.colliders[k];
-  if (world.all_colliders() > 2) flops += region_flops;
+  if (world.all_colliders() > 0) flops += region_flops;
   if (s.blown > 0) {
     flops += wind_flops * s.triangles / n;
     if (!is_grid(kind)) bytes += 8 * s.triangles / n;
@@ -94,7 +94,7 @@ void add_other_passes(const WorldShape& world, Plan& plan) {
     if (c.triangles) corners += is_grid(c.kind) ? 6.0 * c.particles : double(c.triangle_entries);
   }
   if (particles == 0) return;
-  if (world.all_colliders() > 2) {
+  if (world.all_colliders() > 0) {
     const Pass reach{"reach",
                      "frame",
                      "near_colliders_of_blocks",

@@ -52,7 +52,7 @@ struct TriangleGrid {
 /// bounds, and how far away at least all later ones were. As long as the particle is in the same
 /// cell and has not moved so far that another could have come nearer, looking at these few, or at
 /// the first of them, gives what looking at all would: the same bits, whatever the memory's age.
-constexpr int most_remembered = 6;
+constexpr int most_remembered = 10;
 template <class T>
 struct NearMemory {
   Vec3<T> at;

@@ -15,7 +15,7 @@ template <class T>
 struct Surface {
   Vec3<T> velocity;  ///< m/s, of the pivot
   T friction;        ///< coefficient of Coulomb friction
-  T sweep2;          ///< m^2: who moves further in a substep, squared, is swept
+  T sweep;           ///< m: who moves further in a substep is swept
   int32_t turn;      ///< its column in Colliders::turn; -1: it does not turn
   Vec3<T> pivot;
 };

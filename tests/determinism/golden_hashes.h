@@ -17,22 +17,22 @@ struct GoldenHash {
 inline constexpr uint64_t golden_input = 0x4d5fe493d0e32771;
 
 inline constexpr GoldenHash golden_hashes[] = {
-    {Scene::grids, {weft::Precision::float32, weft::Form::summed}, 0xd2497d519fc27554},
-    {Scene::grids, {weft::Precision::float32, weft::Form::position}, 0xb2e003a5906a335c},
-    {Scene::grids, {weft::Precision::float64, weft::Form::summed}, 0xa164818cc42af0a1},
-    {Scene::grids, {weft::Precision::float64, weft::Form::position}, 0x145c07af1f4dbc03},
-    {Scene::mesh, {weft::Precision::float32, weft::Form::summed}, 0x5069a281ca078a74},
-    {Scene::mesh, {weft::Precision::float32, weft::Form::position}, 0x8549135f10b46a9b},
-    {Scene::mesh, {weft::Precision::float64, weft::Form::summed}, 0x06b860f4fb690252},
-    {Scene::mesh, {weft::Precision::float64, weft::Form::position}, 0x09e032894b5090ac},
-    {Scene::network, {weft::Precision::float32, weft::Form::summed}, 0x350bc30a7569f257},
-    {Scene::network, {weft::Precision::float32, weft::Form::position}, 0x164142d2cf88d828},
-    {Scene::network, {weft::Precision::float64, weft::Form::summed}, 0xb14fea1ecfcd64cc},
-    {Scene::network, {weft::Precision::float64, weft::Form::position}, 0x269873041e67ede5},
-    {Scene::mixed, {weft::Precision::float32, weft::Form::summed}, 0x71aef02a86814372},
-    {Scene::mixed, {weft::Precision::float32, weft::Form::position}, 0x427cdbbf1cc8316a},
-    {Scene::mixed, {weft::Precision::float64, weft::Form::summed}, 0xc25fc795b81b70cb},
-    {Scene::mixed, {weft::Precision::float64, weft::Form::position}, 0x1bfd401c240c14ee},
+    {Scene::grids, {weft::Precision::float32, weft::Form::summed}, 0xf9e4ff8a9755b9d5},
+    {Scene::grids, {weft::Precision::float32, weft::Form::position}, 0x971243c6ca6f9367},
+    {Scene::grids, {weft::Precision::float64, weft::Form::summed}, 0x44d8f6ae1921b723},
+    {Scene::grids, {weft::Precision::float64, weft::Form::position}, 0xb86558a88d99abb8},
+    {Scene::mesh, {weft::Precision::float32, weft::Form::summed}, 0xc250ac272e423ca5},
+    {Scene::mesh, {weft::Precision::float32, weft::Form::position}, 0xf455bd01971b1bc4},
+    {Scene::mesh, {weft::Precision::float64, weft::Form::summed}, 0xcba596abcd36684a},
+    {Scene::mesh, {weft::Precision::float64, weft::Form::position}, 0x5c7588ed231b14d7},
+    {Scene::network, {weft::Precision::float32, weft::Form::summed}, 0x9f39ec1e106b0905},
+    {Scene::network, {weft::Precision::float32, weft::Form::position}, 0x76af05cb59807bf4},
+    {Scene::network, {weft::Precision::float64, weft::Form::summed}, 0xdc52b4fb1f86aa9e},
+    {Scene::network, {weft::Precision::float64, weft::Form::position}, 0xaf297c60eaa7f812},
+    {Scene::mixed, {weft::Precision::float32, weft::Form::summed}, 0x106be6af41c0bf84},
+    {Scene::mixed, {weft::Precision::float32, weft::Form::position}, 0x1d66ece58eff8af9},
+    {Scene::mixed, {weft::Precision::float64, weft::Form::summed}, 0xbbcba7b6c6d4b4b6},
+    {Scene::mixed, {weft::Precision::float64, weft::Form::position}, 0x3f3b74dfb9bb0e9b},
 };
 
 }  // namespace weft_tests

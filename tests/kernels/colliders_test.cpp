@@ -38,15 +38,12 @@ TEST(Colliders, APlaneLiftsByTheDepth) {
   EXPECT_FALSE(is_inside(plane, Vec3<double>{5, 5, 0}));
 }
 
-TEST(ImpactShare, IsAllForWhatCameInAndNoneForWhatRestedInside) {
-  const auto share = [](double depth, Vec3<double> slip) {
-    return impact_share(depth, slip.y, square_root(dot(slip, slip)));
-  };
-  EXPECT_EQ(share(0.1, {5, -0.1, 0}), 1);
-  EXPECT_EQ(share(0.1, {0, -0.3, 0}), 1);
-  EXPECT_NEAR(share(0.1, {0, -0.025, 0}), 0.5, 1e-15);  // bounces at most
-  EXPECT_NEAR(share(0.1, {0, 0.2, 0}), 0, 1e-15);
-  EXPECT_EQ(share(0.1, {0, 0, 0}), 0);
+TEST(StoppedDisplacement, IsWhatCameInAndNothingForWhatRestedInside) {
+  EXPECT_EQ(stopped_displacement(0.1, -0.1), 0.1);
+  EXPECT_EQ(stopped_displacement(0.1, -0.3), 0.1);
+  EXPECT_EQ(stopped_displacement(0.1, -0.025), 0.025);  // stops, and does not bounce
+  EXPECT_EQ(stopped_displacement(0.1, 0.2), 0);
+  EXPECT_EQ(stopped_displacement(0.1, 0.0), 0);
 }
 
 TEST(FrictionAgainst, SticksInTheConeAndSlidesOnIt) {

@@ -1,4 +1,4 @@
-"""Prints docs/effects.md. usage: effects_table.py ROWS.json, the output of `weft bench effects --json`"""
+"""Prints docs/effects.md. usage: effects_table.py ROWS.json (from `weft bench effects --json`)"""
 
 import datetime
 import json
@@ -10,13 +10,15 @@ HEAD = """# What effects cost
 
 *Made by `scripts/effects.sh`; do not edit. {date}, {processor}, one thread.*
 
-A sheet of 256 x 256 particles (`seed12`, float32) in frames of 8 substeps at 0.9 of its stable step. Each line is the same
-sheet with one thing more, timed turn by turn with the bare sheet; figures are medians of {rounds} rounds, ratios are taken
-round by round. *Added* is per particle and substep. Bytes are what the effect keeps on the device per particle; flops are the
-plan's count for one substep, of the look alone where a collider is not touched.
+A sheet of 256 x 256 particles (`seed12`, float32) in frames of 8 substeps at 0.9 of its stable
+step. Each line is the same sheet with one thing more, timed turn by turn with the bare sheet;
+figures are medians of {rounds} rounds, ratios are taken round by round. *Added* is per particle
+and substep. Bytes are what the effect keeps on the device per particle; flops are the plan's
+count for one substep, of the look alone where a collider is not touched.
 
-The bare sheet: **{base:.2f} ns** per particle and substep, {bytes:.1f} bytes, {flops:.0f} flops per particle. Its time is the
-{flops:.0f} flops, among them 12 roots and 12 divisions, and not the memory: `weft bench grid` measures that floor in the same run.
+The bare sheet: **{base:.2f} ns** per particle and substep, {bytes:.1f} bytes, {flops:.0f} flops
+per particle. Its time is the {flops:.0f} flops, among them 12 roots and 12 divisions, and not the
+memory: `weft bench grid` measures that floor in the same run.
 
 | effect | added ns | ratio | bytes | flops | passes |
 |---|---:|---:|---:|---:|---:|
@@ -24,18 +26,23 @@ The bare sheet: **{base:.2f} ns** per particle and substep, {bytes:.1f} bytes, {
 TAIL = """
 ## How to read it
 
-- **An effect that a scene does not name costs nothing.** `hygiene.absent_effects` counts instructions against a build that does
-  not even contain the optional stages: they differ by less than 1 %, the bytes not at all.
-- **Out of reach** is what a scene pays for colliders that its cloth cannot touch in a frame: a look at whether the block of 32
-  particles has left the region for which that holds, while the new positions are still in registers. One look serves any number
-  of colliders. `near but not touched` adds the list of each block, made once per frame.
-- **Used** depends on how much of the sheet touches. `all of the sheet on it` is the worst case: every particle is pushed out in
-  every substep. The spheres touch a part of the sheet only.
-- **A mesh of triangles** costs what its contacts cost: the nearest triangle of a particle is exact, found in the list of its
-  cell, and remembered as long as it cannot have changed.
-- **Wind** computes each of the six triangles around a particle: six roots and seven divisions more.
+- **An effect that a scene does not name costs nothing.** `hygiene.absent_effects` counts
+  instructions against a build that does not even contain the optional stages: they differ by less
+  than 1 %, the bytes not at all.
+- **Out of reach** is what a scene pays for colliders that its cloth cannot touch in a frame: a
+  look at whether the block of 32 particles has left the region for which that holds, while the
+  new positions are still in registers. One look serves any number of colliders. `near but not
+  touched` adds the list of each block, made once per frame.
+- **Used** depends on how much of the sheet touches. `all of the sheet on it` is the worst case:
+  every particle is pushed out in every substep. The spheres touch a part of the sheet only.
+- **A mesh of triangles** costs what its contacts cost: the nearest triangle of a particle is
+  exact, found in the list of its cell, and remembered as long as it cannot have changed. Its bytes
+  are mostly the mesh itself, 33 MB here, whatever the number of particles.
+- **Wind** computes each of the six triangles around a particle: six roots and seven divisions
+  more.
 - **A sleeping cloth** still costs the survey at the end of a frame.
-- **Normals** cost nothing until they are read; the figure is per particle of one call, with the copy into the caller's array.
+- **Normals** cost nothing until they are read; the figure is per particle of one call, with the
+  copy into the caller's array.
 
 `weft plan SCENE` prints the passes of a scene with their bytes and flops.
 """

@@ -111,7 +111,7 @@ struct CollideStage {
       const Vec3<T> p0 = ends.start(i0 + l), p1 = ends.end(i0 + l);
       from.set(l, p0);
       to.set(l, p1);
-      const CellAndBrick at = cells.find(p1);
+      const CellAndBrick at = cells(p1);
       cell[l] = magnitude2(p1 - p0) > short2 ? is_fast : at.cell;
       brick[l] = at.brick;
     });

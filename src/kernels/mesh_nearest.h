@@ -47,8 +47,7 @@ WEFT_HD int32_t bricks_along(const TriangleGrid<T>& grid, int axis) {
 /// Whether any cell of a brick has a list.
 template <class T>
 WEFT_HD bool is_occupied(const TriangleGrid<T>& grid, int32_t brick) {
-  const auto b = static_cast<uint32_t>(brick);
-  return ((grid.occupied[b / 32] >> (b % 32)) & 1u) != 0;
+  return ((grid.occupied[brick >> 5] >> (brick & 31)) & 1u) != 0;
 }
 
 template <class T>
@@ -185,6 +184,7 @@ WEFT_HD_COLD void search_list(const TriangleGrid<T>& grid, const int32_t* list, 
     T value[4];
     plane_values(grid.planes[t], x, value);
     T b = bound2(value);
+    if (b >= bound[kept]) continue;
     WEFT_UNROLL
     for (int k = 0; k <= kept; ++k) {
       const bool less = b < bound[k];
@@ -205,6 +205,7 @@ WEFT_HD_COLD void search_list(const TriangleGrid<T>& grid, const int32_t* list, 
     nearest_of_list(grid, list, x, rounding, best);
   }
   memory.at = x;
+  memory.free = square_root(bound[0]) - T(3) * rounding.distance - grid.thickness;
   for (int m = 0; m < kept; ++m) {
     memory.triangle[m] = triangle[m];
     memory.later[m] = square_root(bound[m + 1]) - T(3) * rounding.distance;
@@ -213,10 +214,8 @@ WEFT_HD_COLD void search_list(const TriangleGrid<T>& grid, const int32_t* list, 
 
 /// Whether the remembered triangles were enough to find the nearest one.
 template <class T>
-WEFT_HD bool recall(const TriangleGrid<T>& grid, const NearMemory<T>& memory, Vec3<T> x,
+WEFT_HD bool recall(const TriangleGrid<T>& grid, const NearMemory<T>& memory, T moved, Vec3<T> x,
                     const Rounding<T>& rounding, Nearest<T>& best) {
-  const Vec3<T> way = x - memory.at;
-  const T moved = square_root(dot(way, way));
   for (int k = 0; k < most_remembered && memory.triangle[k] >= 0; ++k) {
     measure_if_near(grid, memory.triangle[k], x, rounding, best);
     // best + moved < later, without the root of the best
@@ -284,8 +283,11 @@ WEFT_HD Nearest<T> nearest(const TriangleGrid<T>& grid, Vec3<T> x, NearMemory<T>
   const int32_t cell = cell_number(grid, c);
   const Rounding<T> rounding = rounding_at(grid, x);
   Nearest<T> best = no_triangle(grid);
-  if (memory.mesh == mesh && memory.cell == cell && recall(grid, memory, x, rounding, best)) {
-    return finish(grid, x, false, best);
+  if (memory.mesh == mesh && memory.cell == cell) {
+    const Vec3<T> way = x - memory.at;
+    const T moved = square_root(dot(way, way));
+    if (moved < memory.free) return no_triangle(grid);
+    if (recall(grid, memory, moved, x, rounding, best)) return finish(grid, x, false, best);
   }
   const int32_t start = grid.cell_start[cell];
   if (start < 0) return nearest(grid, x);
@@ -293,7 +295,9 @@ WEFT_HD Nearest<T> nearest(const TriangleGrid<T>& grid, Vec3<T> x, NearMemory<T>
   search_list(grid, grid.entry_triangle + start, x, rounding, memory, best);
   memory.mesh = mesh;
   memory.cell = cell;
-  return finish(grid, x, false, best);
+  best = finish(grid, x, false, best);
+  if (best.triangle >= 0) memory.free = T(0);  // near, or inside
+  return best;
 }
 
 }  // namespace WEFT_BACKEND_NS

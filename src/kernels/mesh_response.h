@@ -23,11 +23,11 @@ struct MeshEnds {
   }
 };
 
+constexpr int32_t no_cell = -1, is_fast = -2;
 /// Number of the cell of a point and of its brick.
 struct CellAndBrick {
   int32_t cell, brick;
 };
-constexpr int32_t no_cell = -1, is_fast = -2;
 /// By arithmetic alone, for all lanes at once.
 template <class T>
 struct CellFinder {
@@ -35,7 +35,7 @@ struct CellFinder {
   T inverse_size;
   int32_t along_x, along_y, along_z, bricks_x, bricks_y;
 
-  WEFT_HD CellAndBrick find(Vec3<T> x) const {
+  WEFT_HD CellAndBrick operator()(Vec3<T> x) const {
     const Vec3<T> f = inverse_size * (x - low);
     const bool in_x = (f.x >= T(0)) & (f.x < T(along_x));
     const bool in_y = (f.y >= T(0)) & (f.y < T(along_y));

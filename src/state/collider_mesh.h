@@ -56,6 +56,7 @@ constexpr int most_remembered = 10;
 template <class T>
 struct NearMemory {
   Vec3<T> at;
+  T free;                             ///< m: within this of `at` nothing is near
   int32_t mesh;                       ///< number of the collider, from 1; 0: nothing is remembered
   int32_t cell;                       ///< number of the cell
   int32_t triangle[most_remembered];  ///< -1: no more

@@ -259,6 +259,7 @@ std::vector<Row> run_effects(bool quick, std::ostream& progress) {
     runs.append_ratio(all[i].name, measured[i].index, bare.index, rows);
     rows.push_back(
         figure(all[i].name, "bytes_added", "B/particle", more / measured[i].world->particles()));
+    rows.push_back(figure(all[i].name, "flops_added", "1/particle", flops_of(world) - flops));
     rows.push_back(
         figure(all[i].name, "passes_added", "1", double((*world.plan()).passes.count) - passes));
   }

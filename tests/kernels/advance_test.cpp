@@ -1,6 +1,7 @@
 // The kernel as a plain functor: one call with 32 lanes (the CPU's way) and 32 calls with one lane
 // (a warp's way) must give the same bits.
 #include "kernels/advance.h"
+#include "kernels/normals.h"
 
 #include <cmath>
 #include <cstring>
@@ -41,6 +42,9 @@ struct TwoBlocks {
     cloth.drag_model = int(Drag::central);
     cloth.spring_damping = 0.01f;
     cloth.force_offset = no_forces;
+    cloth.in_wind = 1;
+    const int axial[4] = {1 << 6, 1 << 8, 1 << 5, 1 << 3};  // east, north, west, south in Seed12
+    for (int k = 0; k < 4; ++k) cloth.axial[k] = axial[k];
     for (int k = 0; k < 5; ++k) cloth.collider_count[k] = 1;
   }
   Vec3Array<float> view(int k) { return {arrays[k].data() + guard, pitch}; }
@@ -65,6 +69,7 @@ struct TwoBlocks {
     step.ratio = 1;
     step.a_factor = 0.002f * 0.002f;
     step.gravity = {0, -9.81f, 0};
+    step.wind = {{3, 1, 4}, 0.1f, 0.002f};
     return {{sim, {view(0), view(1), view(2), view(3)}, step},
             {presence.data(), block_inner},
             {presence.data(), block_inner},
@@ -106,6 +111,21 @@ TEST(Advance, AWarpAndABlockGiveTheSameBits) {
   EXPECT_EQ(wide.arrays[2], narrow.arrays[2]);
   EXPECT_EQ(wide.arrays[3], narrow.arrays[3]);
   EXPECT_NE(wide.arrays[2], wide.arrays[0]);
+}
+
+TEST(VertexNormals, AWarpAndABlockGiveTheSameBits) {
+  TwoBlocks grid;
+  const GridFan<float> fan{grid.presence.data(), grid.block_inner};
+  const VertexNormals<float, GridFan<float>> wide{fan,          &grid.cloth,  grid.block_cloth,
+                                                  grid.view(0), grid.view(2), 0};
+  const VertexNormals<float, GridFan<float>> narrow{fan,          &grid.cloth,  grid.block_cloth,
+                                                    grid.view(0), grid.view(3), 0};
+  for (int b = 0; b < 2; ++b) {
+    wide(b, 0, Lanes<32>{});
+    for (int lane = 0; lane < 32; ++lane) narrow(b, lane, Lanes<1>{});
+  }
+  EXPECT_EQ(grid.arrays[2], grid.arrays[3]);
+  EXPECT_GT(std::abs(load(grid.view(2), 10).z), 0.5f);
 }
 
 TEST(Advance, APinDoesNotMoveAndKeepsNoDisplacement) {

@@ -79,7 +79,8 @@ struct Contact {
     const Vec3<T> x = load(p.x_out, i), p1 = at_start(now, x);
     const bool free = inverse_mass[i] > T(0), inside = is_inside(shape, p1);
     const WayOut<T> out = way_out(shape, p1);
-    const T depth = free & inside ? out.depth : T(0);
+    const bool meets = free & inside;
+    const T depth = meets ? out.depth : T(0);
     const Vec3<T> normal = turned(now, out.normal);
     const Vec3<T> d = displacement_of(i, x), slip = d - carried(before, now, load(p.x_in, i));
     const T across = dot(slip, normal);

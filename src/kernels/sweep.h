@@ -90,8 +90,9 @@ WEFT_HD Slab<T> tube(Vec3<T> across0, Vec3<T> across_way, T radius) {
   const T half = square_root((inside2 > T(0) ? inside2 : T(0)) / (moves ? length2 : T(1)));
   const bool hits = moves ? inside2 > T(0) : within;
   const T never = T(4), ever = T(-4);
-  return {moves & hits ? closest - half : (hits ? ever : never),
-          moves & hits ? closest + half : (hits ? never : ever), T(0)};
+  const bool crosses = moves & hits;
+  return {crosses ? closest - half : (hits ? ever : never),
+          crosses ? closest + half : (hits ? never : ever), T(0)};
 }
 
 template <class T>

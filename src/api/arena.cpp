@@ -1,13 +1,13 @@
 #include "api/arena.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstring>
-#include <limits>
 
 #include "api/arena_fill.h"
+#include "api/arena_views.h"
 #include "api/collider_inputs.h"
 #include "api/pin_inputs.h"
+#include "api/survey.h"
 #include "scene/grid.h"
 
 namespace weft::api {
@@ -231,31 +231,10 @@ class ArenaOf final : public Arena {
             static_cast<T>(in.wind->air_density * in.wind->tangential / 12)};
   }
 
-  /// Smallest and largest over the groups of every cloth.
   Status read_survey(const ArenaInput& in) {
     const Status status = backend_.to_host(found_.data(), at<Survey<T>>(layout_.survey),
                                            found_.size() * sizeof(Survey<T>));
-    if (status != Status::ok) return status;
-    size_t next = 0;
-    const double far = std::numeric_limits<double>::infinity();
-    for (ClothRecord* cloth : in.cloths) {
-      cloth->low = {far, far, far};
-      cloth->high = {-far, -far, -far};
-      cloth->furthest = 0;
-      cloth->broken = false;
-      const uint32_t blocks = (cloth->cooked().vertices + block_size - 1) / block_size;
-      for (uint32_t b = 0; b < blocks; b += survey_blocks) {
-        const Survey<T>& s = found_[next++];
-        cloth->low = {std::min(cloth->low.x, double(s.low.x)),
-                      std::min(cloth->low.y, double(s.low.y)),
-                      std::min(cloth->low.z, double(s.low.z))};
-        cloth->high = {std::max(cloth->high.x, double(s.high.x)),
-                       std::max(cloth->high.y, double(s.high.y)),
-                       std::max(cloth->high.z, double(s.high.z))};
-        cloth->furthest = std::max(cloth->furthest, std::sqrt(double(s.furthest2)));
-        cloth->broken |= s.broken != 0;
-      }
-    }
+    if (status == Status::ok) take_survey(in, found_);
     return status;
   }
 

@@ -6,10 +6,6 @@
 
 namespace weft::api {
 
-/// The arrays of an image (or of device memory) at `base`.
-template <class T>
-Simulation<T> views_of(const plan::Layout&, const plan::Plan&, const plan::WorldShape&, char* base);
-
 /// Everything but colliders, pins and motions, which change from frame to frame. Sets the records'
 /// places in the arena.
 template <class T>

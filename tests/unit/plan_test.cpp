@@ -37,15 +37,44 @@ TEST(Plan, ManySmallClothsAreOneLaunch) {
   EXPECT_EQ(plan.passes[0].count, 64000u);
 }
 
+/// The pass of a substep.
+Pass advance(const WorldShape& world) {
+  for (const Pass& pass : compile_plan(world).passes) {
+    if (std::string(pass.stage) == "advance") return pass;
+  }
+  return {};
+}
+
 TEST(Plan, EveryNamedEffectShowsInThePassAndCosts) {
   WorldShape world;
   world.cloths = {grid(1024)};
-  const Pass bare = compile_plan(world).passes[0];
-  world.colliders[0] = 1;
+  world.cloths[0].triangles = true;
+  const Pass bare = advance(world);
+  world.colliders[0] = world.colliders[5] = 1;
+  world.wind = true;
   world.cloths[0].drag = world.cloths[0].spring_damping = true;
-  const Pass more = compile_plan(world).passes[0];
-  EXPECT_EQ(more.kernel, "grid_seed12_float32 +spring_damping +drag +sphere_colliders");
-  EXPECT_GT(more.flops_per_particle, bare.flops_per_particle);
+  const Pass more = advance(world);
+  EXPECT_EQ(more.kernel,
+            "grid_seed12_float32 +wind +spring_damping +drag +sphere_colliders +mesh_colliders");
+  EXPECT_GT(more.flops_per_particle, bare.flops_per_particle + 6 * 62);
+}
+
+TEST(Plan, OnlyCollidersAskForReachAndOnlyWantedNormalsForAPass) {
+  const auto has = [](const WorldShape& world, const char* stage) {
+    for (const Pass& pass : compile_plan(world).passes) {
+      if (std::string(pass.stage) == stage) return true;
+    }
+    return false;
+  };
+  WorldShape world;
+  world.cloths = {grid(1024)};
+  EXPECT_FALSE(has(world, "reach"));
+  EXPECT_FALSE(has(world, "normals"));
+  world.colliders[1] = 1;
+  EXPECT_TRUE(has(world, "reach"));
+  EXPECT_FALSE(has(world, "normals"));
+  world.normals = true;
+  EXPECT_TRUE(has(world, "normals"));
 }
 
 TEST(Plan, KindsOfClothAreSeparateRanges) {

@@ -72,8 +72,9 @@ struct ClothDesc {
   double drag = 0;           ///< N s/m per vertex, >= 0
   DragModel drag_model = DragModel::central;
   double spring_damping = 0;  ///< N s/m along each spring, >= 0, lagged velocity
-  /// The cloth goes to sleep when no particle has been faster than `sleep_speed` (m/s; 0: it never
-  /// sleeps) for `sleep_time` seconds. Asleep, its particles stand still and cost next to nothing.
+  /// The cloth goes to sleep when for `sleep_time` seconds no particle was faster than
+  /// `sleep_speed` (m/s; 0: it never sleeps) at the end of any step, unless a motion leads one of
+  /// its pins. Asleep, its particles stand still and cost next to nothing.
   double sleep_speed = 0;
   double sleep_time = 0.5;
   uint64_t user_data = 0;
@@ -135,14 +136,15 @@ struct MeshColliderDesc {
   double friction = 0;
 };
 /// How a collider gets to a new place: along the way, with a velocity that contact takes up, or at
-/// once, with none.
+/// once, with none (but see Form::position: what a teleport leaves deep inside is moved out, and in
+/// that form a move is a velocity).
 enum class Move : uint8_t { simulate, teleport };
 
 /// Wind on the triangles of grids and meshes. A triangle of area A and unit normal n whose vertices
 /// move at v on average feels, with u = velocity - v,
 ///   (air_density A/2) (normal |u.n| (u.n) n + tangential |u_t| u_t),
-/// a third on each vertex, limited so that a step never reverses u. Still air brakes: only a zero
-/// `air_density`, or zero `normal` and `tangential`, is no effect at all.
+/// a third on each vertex, limited so that a step never reverses u of a triangle. Still air brakes:
+/// only a zero `air_density`, or zero `normal` and `tangential`, is no effect at all.
 struct WindDesc {
   double3 velocity{0, 0, 0};   ///< m/s
   double air_density = 1.225;  ///< kg/m^3, >= 0
@@ -166,8 +168,8 @@ struct PlanInfo {
 };
 
 /// The largest stable step of a cloth or a world: dt^2 K + 2 dt C = 4 with K and C the largest
-/// S_i/m_i + S_j/m_j over the springs, S the summed stiffness (or damping) of a vertex. Holds at
-/// every deformation, linearly.
+/// S_i/m_i + S_j/m_j over the springs, S the summed stiffness (or damping) of a vertex. Wind lowers
+/// it as a drag, by a factor of sqrt(2) at most. Holds at every deformation, linearly.
 struct Stability {
   double dt_bound;        ///< s; infinite when nothing bounds it
   ClothId cloth;          ///< the one that sets the bound

@@ -37,7 +37,6 @@ Simulation<T> views_of(const plan::Layout& l, const plan::Plan& plan, const plan
                    reinterpret_cast<const MeshCollider<T>*>(at(l.colliders[5])),
                    reinterpret_cast<const Mat3<T>*>(at(l.turn)),
                    static_cast<int>(shape.turning_colliders),
-                   reinterpret_cast<const int32_t*>(at(l.every)),
                    reinterpret_cast<const int32_t*>(at(l.near)),
                    reinterpret_cast<const ReachOfCollider<T>*>(at(l.near_reach))};
   sim.activity = reinterpret_cast<const ClothActivity<T>*>(at(l.activity));

@@ -195,8 +195,11 @@ void wake(ClothRecord& cloth) {
 }
 
 void notice_rest(ClothRecord& cloth, double dt, double substep) {
-  if (cloth.sleep_speed <= 0) return;
-  if (cloth.asleep) return;
+  if (cloth.sleep_speed <= 0 || cloth.asleep) return;
+  // However slowly its pins are led, they must not be left behind.
+  for (const PinRecord& pin : cloth.pins) {
+    if (pin.motion >= 0) return;
+  }
   cloth.calm = cloth.furthest < cloth.sleep_speed * substep ? cloth.calm + dt : 0;
   if (cloth.calm <= 0 || cloth.calm < cloth.sleep_time) return;
   cloth.asleep = true;

@@ -1,7 +1,6 @@
 #include "api/collider_inputs.h"
 
 #include <algorithm>
-#include <numeric>
 
 #include "api/arena_fill.h"
 #include "api/collider_mesh_arrays.h"
@@ -47,12 +46,6 @@ void ColliderInputs<T>::prepare(const ArenaInput& in, const plan::Layout& layout
   activity_.assign(layout.activity == plan::absent ? 0 : cloths, ClothActivity<T>{});
   columns_ = in.shape.turning_colliders;
   turns_.resize(columns_ > 0 ? columns_ * (size_t(in.shape.substeps) + 1) : 0);
-  if (layout.every != plan::absent) {
-    auto* every = reinterpret_cast<int32_t*>(image + layout.every);
-    std::iota(every,
-              every + *std::max_element(in.shape.colliders, in.shape.colliders + collider_shapes),
-              0);
-  }
   for (size_t m = 0; m < in.meshes.size(); ++m) {
     char* to[mesh_arrays];
     for (int a = 0; a < mesh_arrays; ++a) to[a] = address(image, layout.meshes[m].of[a]);

@@ -61,11 +61,10 @@ double3 to_world(const Placed& placed, const double3& described) {
 }
 
 bool same_rotation(const Placed& a, const Placed& b) {
-  for (int r = 0; r < 3; ++r) {
-    const double3 d = minus(a.rows[r], b.rows[r]);
-    if (d.x != 0 || d.y != 0 || d.z != 0) return false;
-  }
-  return true;
+  return same(a.rows[0], b.rows[0]) && same(a.rows[1], b.rows[1]) && same(a.rows[2], b.rows[2]);
+}
+bool same_place(const Placed& a, const Placed& b) {
+  return same_rotation(a, b) && same(a.translate, b.translate);
 }
 
 void turn_between(const Placed& begin, const Placed& end, double fraction, double3* rows) {

@@ -24,6 +24,7 @@ Placed after(const Placed& then, const Placed& first);
 double3 rotate(const double3* rows, const double3& v);
 double3 to_world(const Placed&, const double3& described);
 bool same_rotation(const Placed&, const Placed&);
+bool same_place(const Placed&, const Placed&);
 
 /// Rows of the rotation that has taken place since `begin` at a fraction of the way to `end`: by
 /// the shorter way about one axis, nearly uniform (the chord between the quaternions, normalised).

@@ -20,6 +20,9 @@ inline double inner(const double3& a, const double3& b) {
 inline double3 outer(const double3& a, const double3& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
+inline bool same(const double3& a, const double3& b) {
+  return a.x == b.x && a.y == b.y && a.z == b.z;
+}
 inline double length(const double3& a) { return std::sqrt(inner(a, a)); }
 
 /// Rows of the matrix that rotates by `degrees` about `axis`; exact for quarter turns about an axis

@@ -36,7 +36,9 @@ void World::Impl::wake_by_colliders(double dt) {
 Status World::set_gravity(double3 gravity) noexcept {
   if (!impl_) return Status::invalid_handle;
   return api::guarded(*impl_->context, [&] {
-    impl_->desc.gravity = api::checked_vector(gravity, "gravity");
+    api::checked_vector(gravity, "gravity");
+    if (api::same(gravity, impl_->desc.gravity)) return Status::ok;
+    impl_->desc.gravity = gravity;
     impl_->result = Impl::Result::none;
     impl_->dirty |= impl_->starting;  // the start displacements depend on it
     impl_->wake_all();
@@ -51,6 +53,7 @@ Status World::set_forces(ClothId id, View<VertexForce> forces) noexcept {
   return api::guarded(*impl_->context, [&] {
     std::pmr::vector<VertexForce> sorted(&impl_->context->memory);
     api::checked_forces(forces, cloth->cooked().vertices, sorted);
+    if (sorted.empty() && cloth->forces.empty()) return Status::ok;
     impl_->dirty |= impl_->starting || sorted.empty() != cloth->forces.empty();
     cloth->forces = std::move(sorted);
     cloth->forces_changed = true;
@@ -111,14 +114,15 @@ Status World::move_collider(ColliderId id, const Pose& pose, Move how) noexcept 
     scene::check_choice(int(how), 2, "how", "simulate, teleport");
     const api::Placed base = c->shape == ColliderShape::mesh ? c->described : api::Placed{};
     const api::Placed to = api::after(api::placed_by(pose, "pose"), base);
-    impl_->wake_touched(*c, 0);
-    c->placed = path_of(*c, impl_->time, 0).begin;
+    const api::Placed from = path_of(*c, impl_->time, 0).begin;
+    if (how == Move::teleport && !api::same_place(from, to)) impl_->wake_touched(*c, 0);
+    c->placed = from;
     c->velocity = {0, 0, 0};
     c->since = impl_->time;
     if (how == Move::teleport) {
       c->placed = to;
       c->gliding = false;
-      impl_->wake_touched(*c, 0);
+      if (!api::same_place(from, to)) impl_->wake_touched(*c, 0);
       return Status::ok;
     }
     c->target = to;

@@ -70,17 +70,17 @@ struct Advance {
                                      int block, int i0, Lanes<N> lanes,
                                      const LaneVec3<T, N>& force) const {
     const Simulation<T>& sim = stages.sim;
+    const bool by_block = activity.nearness == Nearness::block;
+    const Region<T> region{by_block ? sim.reach[block].low : activity.low,
+                           by_block ? sim.reach[block].high : activity.high};
     bool every = activity.nearness == Nearness::every;
     if (every) {
       stages.integrate(cloth, Everywhere{}, i0, lanes, force);
     } else {
-      const bool by_block = activity.nearness == Nearness::block;
-      const Region<T> region{by_block ? sim.reach[block].low : activity.low,
-                             by_block ? sim.reach[block].high : activity.high};
       every = stages.integrate(cloth, region, i0, lanes, force);
       if (!every && meets_nothing(sim, activity, block)) return;
     }
-    CollideStage<T>{sim, stages.p, stages.step}(cloth, activity, every, block, i0, lanes);
+    CollideStage<T>{sim, stages.p, stages.step}(cloth, activity, every, region, block, i0, lanes);
   }
 
   template <int N>

@@ -7,17 +7,11 @@
 #include "base/lanes.h"
 #include "kernels/contact.h"
 #include "kernels/mesh_response.h"
+#include "kernels/region.h"
 #include "state/simulation.h"
 
 namespace weft {
 namespace WEFT_BACKEND_NS {
-
-/// Which colliders a block meets in this substep: entries of a list per shape.
-struct Candidates {
-  const int32_t* list;
-  const int *first, *end;  ///< by shape
-  uint64_t mask;           ///< of the first 64 entries
-};
 
 /// Whether a block that stayed in its region has nothing to meet.
 template <class T>
@@ -33,74 +27,93 @@ struct CollideStage {
   const ParticleBuffers<T>& p;
   const StepParams<T>& step;
 
-  /// `every`: the block meets all colliders, not only those of its list. A function of its own on
-  /// the host, for all kinds of springs.
+  /// `every`: the block meets all colliders, not only those of its list. So it does, from there on,
+  /// when a collider pushes a particle out of the region of the list. A function of its own on the
+  /// host, for all kinds of springs.
   template <int N>
   WEFT_HD_COLD void operator()(const ClothParams<T>& cloth, const ClothActivity<T>& activity,
-                               bool every, int block, int i0, Lanes<N> lanes) const {
-    const int none[collider_shapes] = {};
-    Candidates with{sim.colliders.every, none, cloth.collider_count, ~uint64_t(0)};
-    if (!every) {
-      const uint64_t mask =
-          activity.nearness == Nearness::block ? sim.reach[block].mask : ~uint64_t(0);
-      with = {sim.colliders.near, activity.near_first, activity.near_end, mask};
-    }
+                               bool every, const Region<T>& region, int block, int i0,
+                               Lanes<N> lanes) const {
+    const uint64_t mask =
+        activity.nearness == Nearness::block ? sim.reach[block].mask : ~uint64_t(0);
+    const Walk walk{cloth, activity, region, mask};
     const Colliders<T>& c = sim.colliders;
-    const int* of = cloth.collider_first;
-    meet_all(c.spheres + of[0], with, ColliderShape::sphere, i0, lanes);
-    meet_all(c.planes + of[1], with, ColliderShape::plane, i0, lanes);
-    meet_all(c.capsules + of[2], with, ColliderShape::capsule, i0, lanes);
-    meet_all(c.cylinders + of[3], with, ColliderShape::cylinder, i0, lanes);
-    meet_all(c.boxes + of[4], with, ColliderShape::box, i0, lanes);
-    meet_all(c.meshes + of[5], with, ColliderShape::mesh, i0, lanes);
+    every = meet_all(c.spheres, walk, ColliderShape::sphere, every, i0, lanes);
+    every = meet_all(c.planes, walk, ColliderShape::plane, every, i0, lanes);
+    every = meet_all(c.capsules, walk, ColliderShape::capsule, every, i0, lanes);
+    every = meet_all(c.cylinders, walk, ColliderShape::cylinder, every, i0, lanes);
+    every = meet_all(c.boxes, walk, ColliderShape::box, every, i0, lanes);
+    meet_all(c.meshes, walk, ColliderShape::mesh, every, i0, lanes);
   }
 
  private:
+  struct Walk {
+    const ClothParams<T>& cloth;
+    const ClothActivity<T>& activity;
+    const Region<T>& region;
+    uint64_t mask;  ///< of the first 64 entries of the list
+  };
+
+  /// The colliders of one shape, in their order. Returns whether all are to be met from here on.
   template <class Shape, int N>
-  WEFT_HD void meet_all(const Shape* shapes, const Candidates& with, ColliderShape kind, int i0,
+  WEFT_HD bool meet_all(const Shape* all, const Walk& walk, ColliderShape kind, bool every, int i0,
                         Lanes<N> lanes) const {
     const int k = static_cast<int>(kind);
-    for (int j = with.first[k]; j < with.end[k]; ++j) {
-      const int bit = j - with.first[0];
-      if (bit < 64 && ((with.mask >> bit) & 1) == 0) continue;
-      meet(shapes[with.list[j]], i0, lanes);
+    const Shape* shapes = all + walk.cloth.collider_first[k];
+    int next = 0;
+    for (int j = walk.activity.near_first[k]; !every && j < walk.activity.near_end[k]; ++j) {
+      const int bit = j - walk.activity.near_first[0];
+      if (bit < 64 && ((walk.mask >> bit) & 1) == 0) continue;
+      const int index = sim.colliders.near[j];
+      if (meet(shapes[index], i0, lanes)) every = has_left(walk.region, i0, lanes);
+      next = index + 1;
     }
+    for (int index = next; every && index < walk.cloth.collider_count[k]; ++index) {
+      meet(shapes[index], i0, lanes);
+    }
+    return every;
+  }
+  template <int N>
+  WEFT_HD bool has_left(const Region<T>& region, int i0, Lanes<N> lanes) const {
+    const Vec3Array<T> x = p.x_out;
+    return region.any_outside(lanes, [=](int l) WEFT_LANE { return load(x, i0 + l); });
   }
 
+  /// Each returns whether it has changed anything, or may have.
   template <class Shape, int N>
-  WEFT_HD void meet(const Shape shape, int i0, Lanes<N> lanes) const {
+  WEFT_HD bool meet(const Shape shape, int i0, Lanes<N> lanes) const {
     if (shape.surface.turn >= 0) {
       const Turned<T> before = turned(sim.colliders, shape.surface, step, 1);
-      return respond(shape, before, turned(sim.colliders, shape.surface, step, 0), i0, lanes);
+      respond(shape, before, turned(sim.colliders, shape.surface, step, 0), i0, lanes);
+      return true;
     }
     const Shifted<T> before = shifted(shape.surface, step, 1);
     const Shifted<T> now = shifted(shape.surface, step, 0);
     const Concern<Shape, T> concern{p.x_in, p.x_out, shape, before.by, now.by};
     const bool touched = lanes.any([&](int l) WEFT_LANE { return concern(i0 + l); });
     if (touched) respond(shape, before, now, i0, lanes);
+    return touched;
   }
 
   template <int N>
-  WEFT_HD void meet(const MeshCollider<T>& mesh, int i0, Lanes<N> lanes) const {
+  WEFT_HD bool meet(const MeshCollider<T>& mesh, int i0, Lanes<N> lanes) const {
     if (mesh.surface.turn >= 0) {
       const Turned<T> before = turned(sim.colliders, mesh.surface, step, 1);
       return meet_mesh(mesh, before, turned(sim.colliders, mesh.surface, step, 0), i0, lanes);
     }
-    meet_mesh(mesh, shifted(mesh.surface, step, 1), shifted(mesh.surface, step, 0), i0, lanes);
+    return meet_mesh(mesh, shifted(mesh.surface, step, 1), shifted(mesh.surface, step, 0), i0,
+                     lanes);
   }
   template <class Placement, int N>
-  WEFT_HD void meet_mesh(const MeshCollider<T>& mesh, const Placement& before, const Placement& now,
+  WEFT_HD bool meet_mesh(const MeshCollider<T>& mesh, const Placement& before, const Placement& now,
                          int i0, Lanes<N> lanes) const {
-    if (step.position_form) {
-      meet_triangles<true>(mesh, before, now, i0, lanes);
-    } else {
-      meet_triangles<false>(mesh, before, now, i0, lanes);
-    }
+    return step.position_form ? meet_triangles<true>(mesh, before, now, i0, lanes)
+                              : meet_triangles<false>(mesh, before, now, i0, lanes);
   }
   /// All lanes find their cells; then those that have triangles near them, or are fast, are looked
   /// at one by one: no two have the same list.
   template <bool Position, class Placement, int N>
-  WEFT_HD_COLD void meet_triangles(const MeshCollider<T>& mesh, const Placement& before,
+  WEFT_HD_COLD bool meet_triangles(const MeshCollider<T>& mesh, const Placement& before,
                                    const Placement& now, int i0, Lanes<N> lanes) const {
     const MeshEnds<T, Placement> ends{p.x_in, p.x_out, mesh.rotation, mesh.translate, before, now};
     const CellFinder<T> cells = cells_of(mesh.grid);
@@ -130,10 +143,11 @@ struct CollideStage {
       wanted.push.set(l, contact.to - to.get(l));
       wanted.normal.set(l, contact.normal);
     });
-    if (!any) return;
+    if (!any) return false;
     const MeshResponse<T, Position, Placement, N> response{
         sim.inverse_mass, p, mesh.rotation, mesh.surface.friction, before, now};
     lanes.each([&](int l) WEFT_LANE { response(l, i0 + l, wanted); });
+    return true;
   }
 
   /// Moves the free particles of a block out of a collider. A function of its own on the host: most

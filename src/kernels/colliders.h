@@ -125,13 +125,20 @@ WEFT_HD T stopped_displacement(T depth, T across) {
   return smaller(depth, larger(T(0), -across));
 }
 
-/// Coulomb friction as a displacement: takes back a slip along the surface, at most `most` of it,
-/// which is the coefficient times the normal displacement. Within the cone nothing creeps.
+/// Coulomb friction as a displacement: the part of a slip along the surface that is taken back, at
+/// most `most` of it, which is the coefficient times the normal displacement. 1: it sticks. Within
+/// the cone nothing creeps.
 template <class T>
-WEFT_HD Vec3<T> friction_against(Vec3<T> along, T most) {
+WEFT_HD T part_held(Vec3<T> along, T most) {
   const T length = square_root(dot(along, along));
-  const T part = length > most ? most / length : T(1);
-  return (-part) * along;
+  return length > most ? most / length : T(1);
+}
+
+/// Of a position, and of what is computed from it.
+template <class T>
+WEFT_HD T rounding_of(Vec3<T> x) {
+  const T epsilon = sizeof(T) == 4 ? T(1e-6) : T(2e-15);
+  return epsilon * (magnitude(x.x) + magnitude(x.y) + magnitude(x.z));
 }
 
 }  // namespace WEFT_BACKEND_NS

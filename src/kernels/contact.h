@@ -64,7 +64,8 @@ struct Contact {
     const Vec3<T> normal = turned(now, at.normal);
     const Vec3<T> d = displacement_of(i, x), slip = d - carried(before, now, x0);
     const T across = dot(slip, normal), against = larger(T(0), -across);
-    const Vec3<T> drag = friction_against(slip - across * normal, shape.surface.friction * against);
+    const Vec3<T> sliding = slip - across * normal;
+    const Vec3<T> drag = (-part_held(sliding, shape.surface.friction * against)) * sliding;
     const Vec3<T> at_end = at_present(now, to);
     store(p.x_out, i, slides ? at_end + drag : at_end);
     if constexpr (!Position) store(p.d_out, i, d + (against * normal + drag));
@@ -82,26 +83,34 @@ struct Contact {
     const bool meets = free & inside;
     const T depth = meets ? out.depth : T(0);
     const Vec3<T> normal = turned(now, out.normal);
-    const Vec3<T> d = displacement_of(i, x), slip = d - carried(before, now, load(p.x_in, i));
+    const Vec3<T> x0 = load(p.x_in, i), along = carried(before, now, x0);
+    const Vec3<T> d = displacement_of(i, x), slip = d - along;
     const T across = dot(slip, normal);
     const T before_depth = depth_before(i);
     const T made = larger(T(0), depth - before_depth);  // in this substep
     const bool deep = before_depth > surface_of(p1);
     const T moved = deep ? stopped_displacement(depth, across) : made;
-    const Vec3<T> drag = friction_against(slip - across * normal, shape.surface.friction * moved);
-    const bool hit = depth > T(0);
+    const T most = shape.surface.friction * moved;
+    const Vec3<T> sliding = slip - across * normal;
+    const T held = part_held(sliding, most);
+    const Vec3<T> drag = (-held) * sliding;
+    // What lay on the surface and sticks there is where it was, to the last bit.
+    const T rounding = rounding_of(p1);
+    const bool lay = (before_depth <= rounding) & (-across - depth <= rounding);
+    const bool holds = (magnitude2(sliding) <= most * most) & (most > T(0));
+    const bool hit = depth > T(0), sticks = meets & lay & holds;
     const Vec3<T> none{T(0), T(0), T(0)};
-    store(p.x_out, i, x + select(hit, depth * normal + drag, none));
-    if constexpr (!Position) store(p.d_out, i, d + select(hit, moved * normal + drag, none));
+    const Vec3<T> pushed = x + select(hit, depth * normal + drag, none);
+    store(p.x_out, i, select(sticks, x0 + along, pushed));
+    if constexpr (!Position) {
+      const Vec3<T> braked = d + select(hit, moved * normal + drag, none);
+      store(p.d_out, i, select(sticks, along, braked));
+    }
   }
 
  private:
   /// How near to the surface a particle counts as being at it: rounding, or a trifle of the size.
-  WEFT_HD T surface_of(Vec3<T> p0) const {
-    const T epsilon = sizeof(T) == 4 ? T(1e-6) : T(2e-15);
-    return T(1e-3) * shape.surface.sweep +
-           epsilon * (magnitude(p0.x) + magnitude(p0.y) + magnitude(p0.z));
-  }
+  WEFT_HD T surface_of(Vec3<T> p0) const { return T(1e-3) * shape.surface.sweep + rounding_of(p0); }
   /// How deep inside the particle was at the start of the substep.
   WEFT_HD T depth_before(int i) const {
     const Vec3<T> p0 = at_start(before, load(p.x_in, i));

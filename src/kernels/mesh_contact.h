@@ -150,7 +150,7 @@ WEFT_HD_COLD MeshContact<T> sweep(const TriangleGrid<T>& grid, Vec3<T> p0, Vec3<
   span = clip(span, p0.z, way.z, low.z, low.z + T(grid.cells[2]) * size);
   if (!(span.in <= span.out)) return {false, p1, {T(0), T(0), T(0)}, false};
 
-  constexpr int most_pieces = 65536;
+  constexpr int most_pieces = most_sweep_pieces;
   const T part = span.out - span.in;
   const T wanted = square_root(dot(way, way)) * part / (T(0.5) * grid.thickness);
   const int pieces = wanted < T(most_pieces) ? 1 + int(wanted) : most_pieces;

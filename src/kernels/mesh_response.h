@@ -76,14 +76,26 @@ struct MeshResponse {
     const Vec3<T> push = turned(now, rotation * wanted.push.get(l));
     const Vec3<T> normal = turned(now, rotation * wanted.normal.get(l));
     const Vec3<T> d = Position ? x - load(p.x_in, i) : load(p.d_out, i);
-    const Vec3<T> slip = d - carried(before, now, load(p.x_in, i));
-    const T closing = larger(T(0), -dot(slip, normal));
+    const Vec3<T> x0 = load(p.x_in, i), along = carried(before, now, x0), slip = d - along;
+    const T across = dot(slip, normal), closing = larger(T(0), -across);
+    const Vec3<T> sliding = slip - across * normal;
+    const T held = part_held(sliding, friction * closing);
+    const Vec3<T> drag = (-held) * sliding;
+    // What lay on the surface and sticks there is where it was, to the last bit.
+    const bool lay = magnitude(closing - dot(push, normal)) <= rounding_of(x);
+    const bool on_the_way = wanted.hit[l] > T(1);
+    const T most = friction * closing;
+    const bool holds = (magnitude2(sliding) <= most * most) & (most > T(0));
+    const bool on_its_way = wanted.hit[l] < T(2);
+    const bool sticks = hit & lay & holds & on_its_way;
     // Of what was stopped on the way, only the velocity is braked.
-    const Vec3<T> drag = friction_against(slip - dot(slip, normal) * normal, friction * closing);
     const Vec3<T> none{T(0), T(0), T(0)};
-    const Vec3<T> by = push + select(wanted.hit[l] > T(1), none, drag);
-    store(p.x_out, i, x + select(hit, by, none));
-    if constexpr (!Position) store(p.d_out, i, d + select(hit, closing * normal + drag, none));
+    const Vec3<T> by = push + select(on_the_way, none, drag);
+    store(p.x_out, i, select(sticks, x0 + along, x + select(hit, by, none)));
+    if constexpr (!Position) {
+      const Vec3<T> braked = d + select(hit, closing * normal + drag, none);
+      store(p.d_out, i, select(sticks, along, braked));
+    }
   }
 };
 

@@ -58,13 +58,10 @@ void lay_out_activity(const WorldShape& world, Cutter& cut, Layout& l) {
     l.activity = cut.take(cloths, sizeof(ClothActivity<T>));
   }
   if (colliders == 0) return;
-  uint32_t most = 0;
   for (int shape = 0; shape < collider_shapes; ++shape) {
     const size_t count = cloths * world.colliders[shape];
     if (count > 0) l.colliders[shape] = cut.take(count, collider_bytes<T>(shape));
-    most = std::max(most, world.colliders[shape]);
   }
-  l.every = cut.take(most, sizeof(int32_t));
   l.near = cut.take(cloths * colliders, sizeof(int32_t));
   l.near_reach = cut.take(cloths * colliders, sizeof(ReachOfCollider<T>));
   l.block_reach = cut.take(world.blocks(), sizeof(BlockReach<T>));

@@ -26,7 +26,7 @@ struct Layout {
   VectorArray force;
   size_t triangle_start = absent, triangle_next = absent, triangle_last = absent;
   size_t colliders[collider_shapes] = {absent, absent, absent, absent, absent, absent};
-  size_t turn = absent, every = absent, near = absent, near_reach = absent;
+  size_t turn = absent, near = absent, near_reach = absent;
   size_t activity = absent, block_reach = absent, near_memory = absent;
   std::vector<MeshArrays> meshes;  ///< offsets, in the order of WorldShape::meshes
   size_t survey_ranges = absent, survey = absent;

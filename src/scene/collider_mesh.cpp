@@ -148,6 +148,23 @@ std::vector<uint32_t> add_triangles(const ColliderMeshDesc& desc,
 
 }  // namespace
 
+/// The way of a fast particle through the mesh is walked in a bounded number of pieces.
+static void check_reach(const std::vector<double3>& positions, double thickness) {
+  constexpr double most_thicknesses = 1 << 19;
+  double3 low = positions[0], high = positions[0];
+  for (const double3& p : positions) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+  }
+  const double x = high.x - low.x, y = high.y - low.y, z = high.z - low.z;
+  const double size = std::sqrt(x * x + y * y + z * z);
+  if (size <= most_thicknesses * thickness) return;
+  throw InvalidInput(
+      text("thickness is %g (the mesh is %g m across: fast particles would pass through) give at "
+           "least %g",
+           thickness, size, size / most_thicknesses));
+}
+
 void cook_collider_mesh(const ColliderMeshDesc& desc, CookedColliderMesh& mesh) {
   check_positive(desc.thickness, "thickness");
   check_indices(desc);
@@ -155,6 +172,7 @@ void cook_collider_mesh(const ColliderMeshDesc& desc, CookedColliderMesh& mesh) 
   mesh.thickness = desc.thickness;
   mesh.closed = desc.closed;
   const std::vector<uint32_t> vertex = add_triangles(desc, positions, mesh);
+  check_reach(positions, desc.thickness);
   if (desc.closed) {
     const std::vector<uint32_t> welded = weld(positions);
     std::vector<uint32_t> given(desc.indices.count);

@@ -33,6 +33,9 @@ constexpr int32_t no_list = -1, deep_inside = -2;
 /// Cells are summed up in bricks of 2 x 2 x 2, so that most points are known to be far from all
 /// triangles without a look at their cell.
 constexpr int32_t brick_edge = 2;
+/// Pieces of half a thickness that the way of a fast particle through the grid is walked in, at
+/// most: cooking refuses a thickness for which that would not do.
+constexpr int32_t most_sweep_pieces = 1 << 20;
 template <class T>
 struct TriangleGrid {
   Vec3<T> low;  ///< corner of cell 0

@@ -83,10 +83,9 @@ struct Colliders {
   const Cylinder<T>* cylinders;
   const Box<T>* boxes;
   const MeshCollider<T>* meshes;
-  const Mat3<T>* turn;   ///< [substep + 1][column]: since the start of the frame, row 0: not at all
-  int turns;             ///< columns
-  const int32_t* every;  ///< 0, 1, 2, ...: the list of all colliders of a shape
-  const int32_t* near;   ///< lists of ClothActivity: index among those of a shape
+  const Mat3<T>* turn;  ///< [substep + 1][column]: since the start of the frame, row 0: not at all
+  int turns;            ///< columns
+  const int32_t* near;  ///< lists of ClothActivity: index among those of a shape
   const ReachOfCollider<T>* reach;  ///< of the entries of `near`
 };
 

@@ -17,22 +17,22 @@ struct GoldenHash {
 inline constexpr uint64_t golden_input = 0x4d5fe493d0e32771;
 
 inline constexpr GoldenHash golden_hashes[] = {
-    {Scene::grids, {weft::Precision::float32, weft::Form::summed}, 0xf9e4ff8a9755b9d5},
-    {Scene::grids, {weft::Precision::float32, weft::Form::position}, 0x971243c6ca6f9367},
-    {Scene::grids, {weft::Precision::float64, weft::Form::summed}, 0x44d8f6ae1921b723},
-    {Scene::grids, {weft::Precision::float64, weft::Form::position}, 0xb86558a88d99abb8},
-    {Scene::mesh, {weft::Precision::float32, weft::Form::summed}, 0xc250ac272e423ca5},
-    {Scene::mesh, {weft::Precision::float32, weft::Form::position}, 0xf455bd01971b1bc4},
-    {Scene::mesh, {weft::Precision::float64, weft::Form::summed}, 0xcba596abcd36684a},
-    {Scene::mesh, {weft::Precision::float64, weft::Form::position}, 0x5c7588ed231b14d7},
-    {Scene::network, {weft::Precision::float32, weft::Form::summed}, 0x9f39ec1e106b0905},
-    {Scene::network, {weft::Precision::float32, weft::Form::position}, 0x76af05cb59807bf4},
-    {Scene::network, {weft::Precision::float64, weft::Form::summed}, 0xdc52b4fb1f86aa9e},
-    {Scene::network, {weft::Precision::float64, weft::Form::position}, 0xaf297c60eaa7f812},
-    {Scene::mixed, {weft::Precision::float32, weft::Form::summed}, 0x106be6af41c0bf84},
-    {Scene::mixed, {weft::Precision::float32, weft::Form::position}, 0x1d66ece58eff8af9},
-    {Scene::mixed, {weft::Precision::float64, weft::Form::summed}, 0xbbcba7b6c6d4b4b6},
-    {Scene::mixed, {weft::Precision::float64, weft::Form::position}, 0x3f3b74dfb9bb0e9b},
+    {Scene::grids, {weft::Precision::float32, weft::Form::summed}, 0x98ad8b09e4986b74},
+    {Scene::grids, {weft::Precision::float32, weft::Form::position}, 0xd9828dcb266c38fc},
+    {Scene::grids, {weft::Precision::float64, weft::Form::summed}, 0x1ab306b253ef15bf},
+    {Scene::grids, {weft::Precision::float64, weft::Form::position}, 0x1ae241eb97bbe739},
+    {Scene::mesh, {weft::Precision::float32, weft::Form::summed}, 0xf3cfac9ea9d5556d},
+    {Scene::mesh, {weft::Precision::float32, weft::Form::position}, 0xb0227c0a4755a07a},
+    {Scene::mesh, {weft::Precision::float64, weft::Form::summed}, 0xa3ca5d95223b7826},
+    {Scene::mesh, {weft::Precision::float64, weft::Form::position}, 0x6b3bada37b66560a},
+    {Scene::network, {weft::Precision::float32, weft::Form::summed}, 0x865745348a2e8bae},
+    {Scene::network, {weft::Precision::float32, weft::Form::position}, 0x7629df46c81b358c},
+    {Scene::network, {weft::Precision::float64, weft::Form::summed}, 0x74ccc47a7709dba0},
+    {Scene::network, {weft::Precision::float64, weft::Form::position}, 0x0f75019de1d6702d},
+    {Scene::mixed, {weft::Precision::float32, weft::Form::summed}, 0x20f531ae4b613bcd},
+    {Scene::mixed, {weft::Precision::float32, weft::Form::position}, 0x210c3a37432289a5},
+    {Scene::mixed, {weft::Precision::float64, weft::Form::summed}, 0x8dd0447aeeec9101},
+    {Scene::mixed, {weft::Precision::float64, weft::Form::position}, 0x006f22fd7cdd1b97},
 };
 
 }  // namespace weft_tests

@@ -61,7 +61,6 @@ struct TwoBlocks {
     sim.colliders.capsules = &capsule;
     sim.colliders.cylinders = &cylinder;
     sim.colliders.boxes = &box;
-    sim.colliders.every = &zero;
     sim.activity = &activity;
     sim.reach = reach;
     StepParams<float> step{};
@@ -81,7 +80,6 @@ struct TwoBlocks {
   ClothParams<float> cloth{};
   int32_t block_cloth[2] = {0, 0};
   uint8_t block_inner[2] = {0, 0};
-  int32_t zero = 0;
   ClothActivity<float> activity{};
   BlockReach<float> reach[2] = {};
   Sphere<float> sphere{{0.35f, 0.3f, 0}, 0.15f, {{0, 0, 0}, 0, 0.01f, -1, {0, 0, 0}}};

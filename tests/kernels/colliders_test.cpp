@@ -46,15 +46,11 @@ TEST(StoppedDisplacement, IsWhatCameInAndNothingForWhatRestedInside) {
   EXPECT_EQ(stopped_displacement(0.1, 0.0), 0);
 }
 
-TEST(FrictionAgainst, SticksInTheConeAndSlidesOnIt) {
-  const auto stuck = friction_against(Vec3<double>{0.03, 0, 0.04}, 0.05);
-  EXPECT_DOUBLE_EQ(stuck.x, -0.03);
-  EXPECT_EQ(stuck.y, 0);
-  EXPECT_DOUBLE_EQ(stuck.z, -0.04);
-  const auto sliding = friction_against(Vec3<double>{0.3, 0, 0.4}, 0.05);
-  EXPECT_NEAR(sliding.x, -0.03, 1e-16);
-  EXPECT_NEAR(sliding.z, -0.04, 1e-16);
-  EXPECT_EQ(friction_against(Vec3<double>{0.3, 0, 0.4}, 0.0).x, 0);
+TEST(PartHeld, IsAllInTheConeAndLessOutside) {
+  EXPECT_EQ(part_held(Vec3<double>{0.03, 0, 0.04}, 0.05), 1);
+  EXPECT_NEAR(part_held(Vec3<double>{0.3, 0, 0.4}, 0.05), 0.1, 1e-16);
+  EXPECT_EQ(part_held(Vec3<double>{0.3, 0, 0.4}, 0.0), 0);
+  EXPECT_EQ(part_held(Vec3<double>{0, 0, 0}, 0.0), 1);
 }
 
 }  // namespace weft

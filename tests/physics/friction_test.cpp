@@ -127,4 +127,59 @@ TEST_P(Friction, AWedgeOfTwoPlanesStaysBounded) {
 INSTANTIATE_TEST_SUITE_P(Precision, Friction, both_precisions(), precision_name);
 
 }  // namespace
+/// 30 degrees down, on the side of a capsule, the face of a box and a sheet of triangles.
+TEST(FrictionInFloat, NothingCreepsOnAnyShapeInAnyForm) {
+  const double a = std::numbers::pi / 6, mu = 1.1 * std::tan(a);
+  const Vec normal{-std::sin(a), std::cos(a), 0}, down{-std::cos(a), -std::sin(a), 0};
+  for (const weft::Form form : {weft::Form::summed, weft::Form::position}) {
+    for (int shape = 0; shape < 3; ++shape) {
+      SCOPED_TRACE(testing::Message() << int(form) << " " << shape);
+      weft::WorldDesc desc;
+      desc.form = form;
+      desc.substeps = 1;
+      desc.start = weft::Start::lagged;
+      TestWorld test(desc);
+      NetworkParts parts;
+      parts.positions = {{0, 0, 0}};
+      parts.masses = {1};
+      const weft::ClothId id = add_network(test, parts, {});
+      if (shape == 0) {
+        weft::CapsuleDesc capsule;
+        capsule.a = to_weft(-1.0 * normal + 2 * down);
+        capsule.b = to_weft(-1.0 * normal - 2 * down);
+        capsule.friction = mu;
+        test.take(test.world().create_capsule(capsule));
+      } else if (shape == 1) {
+        weft::BoxDesc box;
+        box.center = to_weft(-1.0 * normal);
+        box.axis = {0, 0, 1};
+        box.degrees = 30;
+        box.friction = mu;
+        test.take(test.world().create_box(box));
+      } else {
+        const double t = 0.01;
+        const Vec at = -t * normal;
+        const std::vector<weft::double3> x{to_weft(at + down + Vec{0, 0, 1}),
+                                           to_weft(at + down - Vec{0, 0, 1}),
+                                           to_weft(at - 2 * down)};
+        const std::vector<uint32_t> corners{0, 1, 2};
+        weft::ColliderMeshDesc mesh;
+        mesh.positions = weft::View<weft::double3>(x);
+        mesh.indices = corners;
+        mesh.thickness = t;
+        weft::MeshColliderDesc collider;
+        collider.mesh = test.cook(mesh);
+        collider.friction = mu;
+        test.take(test.world().create_mesh(collider));
+      }
+      test.step(1e-3, 10);  // the first contact
+      const Vec before = test.position(id, 0);
+      test.step(1e-3, 1000);
+      const Vec after = test.position(id, 0);
+      EXPECT_LT(length(after - before), 1e-6);
+      EXPECT_LT(length(before), 1e-4);
+    }
+  }
+}
+
 }  // namespace weft_tests

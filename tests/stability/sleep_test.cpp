@@ -70,6 +70,24 @@ TEST_P(Sleep, WaitsUntilNothingIsFasterThanItsSpeed) {
   EXPECT_GE(calm, 0.25 - dt / 2);
 }
 
+TEST_P(Sleep, DoesNotLeaveALedPinBehind) {
+  TestWorld test(desc());
+  weft::GridDesc grid;
+  grid.rows = grid.columns = 4;
+  grid.material.stiffness = 1;
+  const std::vector<weft::PinMotion> motions{{{1e-4, 0, 0}, {0, 0, 0}, 0}};
+  const std::vector<weft::Pin> pins{{0, 0}};
+  weft::ClothDesc sheet;
+  sheet.motions = motions;
+  sheet.pins = pins;
+  sheet.sleep_speed = 0.01;
+  sheet.sleep_time = 0.1;
+  const weft::ClothId id = test.add(grid, sheet);
+  test.step(dt, 64);
+  EXPECT_FALSE(asleep(test, id));
+  EXPECT_NEAR(test.position(id, 0).x, 1e-4, 1e-7);
+}
+
 TEST_P(Sleep, KeepsEveryBit) {
   TestWorld test(desc());
   const weft::ClothId id = add_sheet(test, {0, 0, 0}, 0.05, 0.25, 0.3);

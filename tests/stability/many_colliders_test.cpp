@@ -102,5 +102,35 @@ TEST_P(ManyColliders, ASheetOnAClosedMeshStaysOutside) {
 
 INSTANTIATE_TEST_SUITE_P(Precision, ManyColliders, both_precisions(), precision_name);
 
+/// One sphere is teleported onto a particle and pushes it into another one, which nothing had a
+/// reason to look at before. A particle without springs that makes the list longer changes no bit.
+TEST(Culling, LooksAtTheCollidersThatAPushLeadsTo) {
+  Vec ends[2];
+  for (const bool other : {false, true}) {
+    weft::WorldDesc desc;
+    desc.gravity = {0, 0, 0};
+    TestWorld test(desc);
+    NetworkParts parts;
+    parts.positions = {{0, 0, 0}, other ? Vec{5.5, 1.001, 0} : Vec{0, 0.1, 0}};
+    parts.masses = {1, 1};
+    const weft::ClothId id = add_network(test, parts, {});
+    weft::SphereDesc sphere;
+    sphere.center = {0, 100, 0};
+    sphere.radius = 5;
+    const weft::ColliderId far = test.take(test.world().create_sphere(sphere));
+    sphere.center = {5.5, 0, 0};
+    sphere.radius = 1;
+    test.take(test.world().create_sphere(sphere));
+    test.step(1.0 / 60);
+    weft::Pose pose;
+    pose.translate = {-0.1, -100, 0};
+    test.check(test.world().move_collider(far, pose, weft::Move::teleport));
+    test.step(1.0 / 60);
+    ends[other] = test.position(id, 0);
+  }
+  EXPECT_NEAR(ends[0].x, 4.5, 1e-5);
+  EXPECT_EQ(ends[0].x, ends[1].x);
+}
+
 }  // namespace
 }  // namespace weft_tests

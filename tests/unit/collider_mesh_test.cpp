@@ -120,6 +120,7 @@ TEST(ColliderMesh, AMeshThatIsNotClosedIsRefusedByItsEdge) {
 TEST(ColliderMesh, WhatCannotBeUsedIsRefusedByElementAndValue) {
   Triangles mesh = reference::box({1, 1, 1});
   expect_words(refusal(mesh, 0, true), {"thickness is 0"});
+  expect_words(refusal(mesh, 1e-7, true), {"thickness is 1e-07", "pass through", "give at least"});
   expect_words(refusal(mesh, std::nan(""), true), {"thickness is"});
   mesh.faces[5][1] = 8;
   expect_words(refusal(mesh, 0.1, true), {"triangle 5", "vertex 8", "has 8"});

@@ -83,14 +83,14 @@ struct MeshResponse {
     const Vec3<T> drag = (-held) * sliding;
     // What lay on the surface and sticks there is where it was, to the last bit.
     const bool lay = magnitude(closing - dot(push, normal)) <= rounding_of(x);
-    const bool on_the_way = wanted.hit[l] > T(1);
+    const bool stopped = wanted.hit[l] > T(1);
     const T most = friction * closing;
     const bool holds = (magnitude2(sliding) <= most * most) & (most > T(0));
-    const bool on_its_way = wanted.hit[l] < T(2);
-    const bool sticks = hit & lay & holds & on_its_way;
+    const bool went_on = wanted.hit[l] < T(2);
+    const bool sticks = hit & lay & holds & went_on;
     // Of what was stopped on the way, only the velocity is braked.
     const Vec3<T> none{T(0), T(0), T(0)};
-    const Vec3<T> by = push + select(on_the_way, none, drag);
+    const Vec3<T> by = push + select(stopped, none, drag);
     store(p.x_out, i, select(sticks, x0 + along, x + select(hit, by, none)));
     if constexpr (!Position) {
       const Vec3<T> braked = d + select(hit, closing * normal + drag, none);

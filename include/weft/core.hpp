@@ -19,8 +19,9 @@
 #define WEFT_VERSION_MAJOR 0
 #define WEFT_VERSION_MINOR 1
 #define WEFT_VERSION_PATCH 0
-/// Number of the binary layout of these headers; raised whenever a struct below changes.
-#define WEFT_ABI 2
+/// Number of the binary layout of these headers: that of the inline namespace, of the shared
+/// library's SONAME and of its package. Raised whenever a released struct changes.
+#define WEFT_ABI 0
 
 namespace weft {
 inline namespace v0 {

@@ -91,9 +91,21 @@ check_fallback() {
   fi
 }
 
+# LLVM's OpenMP runtime leaves a file behind where its process was killed, and trips over an empty
+# one that an earlier process of the same number left.
+forget_dead_teams() {
+  local file pid
+  for file in /dev/shm/__KMP_REGISTERED_LIB_*; do
+    pid=${file##*LIB_}
+    pid=${pid%%_*}
+    [[ ! -e "$file" || -d "/proc/$pid" ]] || rm -f "$file"
+  done
+}
+
 clang() {
   configure clang
   compile clang weft_cli tests/determinism/all
+  forget_dead_teams
   run_tests clang -L determinism
   same_bits clang
 }
@@ -108,6 +120,7 @@ debug() {
 asan() {
   configure asan
   compile asan weft_cli tests/{unit,kernels,backend,io,stability}/all
+  forget_dead_teams
   run_tests asan -L '^(unit|kernels|backend|io|stability)$' -LE long
 }
 
@@ -115,6 +128,7 @@ asan() {
 tsan() {
   configure tsan
   compile tsan race tests/determinism/all
+  forget_dead_teams
   run_tests tsan -L '^(determinism|race)$' -LE long
 }
 

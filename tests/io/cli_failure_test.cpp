@@ -92,7 +92,7 @@ TEST_F(Failure, AFullDiskLeavesNothingHalfWritten) {
   // 4 kB: less than a frame, more than the 1 kB that clang's OpenMP runtime keeps in a file.
   for (const char* option : {"--final ", "--out "}) {
     const Outcome outcome =
-        run_weft("run " + std::string(option) + (folder / "x") + " " + file, "ulimit -f 8; ");
+        run_weft("run " + std::string(option) + (folder / "x") + " " + file, "ulimit -f 8; exec ");
     expect_failure(outcome, 3, "cannot be written");
     EXPECT_EQ(folder.file_count(), 1u) << option;
   }

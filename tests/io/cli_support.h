@@ -14,11 +14,13 @@ struct Outcome {
   std::string out, err;
 };
 
-/// `before` is shell text in front of the program, such as "ulimit -f 1; ".
-inline Outcome run_weft(const std::string& arguments, const std::string& before = "") {
+/// `before` is shell text in front of the program, such as "ulimit -f 1; exec ".
+inline Outcome run_weft(const std::string& arguments, const std::string& before = "exec ") {
   const TemporaryFolder folder;
-  const std::string command = before + WEFT_PROGRAM + std::string(" ") + arguments + " >" +
-                              (folder / "out") + " 2>" + (folder / "err");
+  // The program takes the shell's process number, under which LLVM's OpenMP runtime may find a file
+  // of a process that was killed.
+  const std::string command = "rm -f /dev/shm/__KMP_REGISTERED_LIB_$$_*; " + before + WEFT_PROGRAM +
+                              " " + arguments + " >" + (folder / "out") + " 2>" + (folder / "err");
   const int status = std::system(command.c_str());
   const int code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
   return {code, read_text(folder / "out"), read_text(folder / "err")};

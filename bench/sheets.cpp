@@ -1,5 +1,6 @@
 #include "bench/sheets.h"
 
+#include <cstring>
 #include <stdexcept>
 
 namespace weft::bench {
@@ -12,10 +13,10 @@ T take(Result<T> result, const char* what) {
   return std::move(*result);
 }
 
-Context make_context(uint32_t threads) {
+Context make_context(const SteppedWorld::Options& options) {
   ContextDesc desc;
-  desc.backend = BackendKind::omp;
-  desc.threads = threads;
+  desc.backend = options.backend;
+  desc.threads = options.threads;
   return take(Context::create(desc), "context");
 }
 
@@ -32,14 +33,15 @@ SteppedWorld::SteppedWorld(Context context, Fabric fabric, const Options& option
   if (options.dress) options.dress(cloth);
   cloth_ = take(world_.create_cloth(cloth), "cloth");
   if (options.furnish) options.furnish(context_, world_, cloth_);
-  particles_ = fabric.vertex_count();
-  directed_springs_ = 2 * fabric.spring_count();
+  for (uint32_t i = 1; i < options.cloths; ++i) take(world_.create_cloth(cloth), "cloth");
+  particles_ = uint64_t(options.cloths) * fabric.vertex_count();
+  directed_springs_ = uint64_t(options.cloths) * 2 * fabric.spring_count();
   dt_ = 0.9 * substeps_ * world_.stability().dt_bound;
   advance();
 }
 
 SteppedWorld SteppedWorld::sheet(uint32_t n, Stencil stencil, const Options& options) {
-  Context context = make_context(options.threads);
+  Context context = make_context(options);
   GridDesc desc;
   desc.rows = desc.columns = n;
   desc.stencil = stencil;
@@ -50,7 +52,7 @@ SteppedWorld SteppedWorld::sheet(uint32_t n, Stencil stencil, const Options& opt
 
 SteppedWorld SteppedWorld::mesh(const std::vector<double3>& positions,
                                 const std::vector<uint32_t>& triangles, const Options& options) {
-  Context context = make_context(options.threads);
+  Context context = make_context(options);
   MeshDesc desc;
   desc.positions = View<double3>(positions);
   desc.indices = triangles;
@@ -62,6 +64,17 @@ SteppedWorld SteppedWorld::mesh(const std::vector<double3>& positions,
 void SteppedWorld::advance() {
   const Status status = world_.step(dt_);
   if (status != Status::ok) throw std::runtime_error(std::string("step: ") + to_string(status));
+}
+
+double SteppedWorld::bytes_per_step() {
+  const PlanInfo plan = take(world_.plan(), "plan");
+  double bytes = 0;
+  for (uint32_t i = 0; i < plan.passes.count; ++i) {
+    const PassInfo& pass = plan.passes[i];
+    if (std::strcmp(pass.per, "substep") == 0)
+      bytes += pass.bytes_per_particle * double(pass.count);
+  }
+  return bytes;
 }
 
 TriangleSheet triangle_sheet(uint32_t n) {

@@ -16,7 +16,9 @@ class SteppedWorld {
  public:
   struct Options {
     Precision precision = Precision::float32;
+    BackendKind backend = BackendKind::omp;
     uint32_t threads = 1;
+    uint32_t cloths = 1;  ///< alike, in one world
     double stiffness = 100;
     int substeps = steps_per_call;
     std::function<void(ClothDesc&)> dress;  ///< changes the cloth before it is made
@@ -34,6 +36,8 @@ class SteppedWorld {
   World& world() { return world_; }
   ClothId cloth() const { return cloth_; }
   double particles() const { return double(particles_); }
+  /// Bytes that a substep moves at least, each once, neighbours from cache.
+  double bytes_per_step();
   const char* isa() const { return context_.info().isa; }
 
  private:

@@ -1,5 +1,6 @@
 #include "bench/bench.h"
 #include "bench/effects.h"
+#include "bench/gpu.h"
 #include "bench/grid.h"
 #include "bench/mesh.h"
 
@@ -18,6 +19,8 @@ const std::vector<Table>& tables() {
        run_grid_and_mesh},
       {"effects", "what each effect adds, where it is used and where it has nothing to do",
        run_effects},
+      {"gpu", "a frame of 16 substeps on the GPU: sizes, precisions, many cloths, effects",
+       run_gpu},
       {"mesh", "gather over meshes per directed spring, against the grid's", run_mesh},
   };
   return all;

@@ -264,6 +264,7 @@ class ArenaOf final : public Arena {
   Status upload_params(const ArenaInput& in) {
     position_form_ = in.world->form == Form::position;
     fill_params(in, params_);
+    sim_.windy = std::any_of(params_.begin(), params_.end(), [](auto& p) { return p.in_wind; });
     return backend_.to_device(at<ClothParams<T>>(layout_.cloths), params_.data(),
                               params_.size() * sizeof(ClothParams<T>));
   }

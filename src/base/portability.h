@@ -61,6 +61,11 @@
 #  define WEFT_PARTICLE_STEP 1
 #endif
 
+/// Whether a host's substep is one pass (step/pipeline.h): yes, but for a test of what a GPU does.
+#ifndef WEFT_FUSE_PASSES
+#  define WEFT_FUSE_PASSES true
+#endif
+
 namespace weft {
 
 /// Particles that share one control flow: a GPU warp, or a few CPU vectors.

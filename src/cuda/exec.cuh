@@ -12,7 +12,7 @@ namespace WEFT_BACKEND_NS {
 constexpr int warps_per_group = 8;
 
 template <class Kernel>
-__global__ void run_blocks(const int count, const Kernel kernel) {
+__global__ void run_blocks(const int count, WEFT_LAUNCH_CONSTANT const Kernel kernel) {
   const int block =
       static_cast<int>(blockIdx.x) * warps_per_group + static_cast<int>(threadIdx.x) / block_size;
   if (block < count) kernel(block, static_cast<int>(threadIdx.x) % block_size, Lanes<1>{});
@@ -21,6 +21,8 @@ __global__ void run_blocks(const int count, const Kernel kernel) {
 /// What the host sees of the device: launches return before they are done.
 class Team {
  public:
+  static constexpr bool fuses = false;
+
   explicit Team(GpuStream stream) : stream_(stream) {}
 
   template <class Kernel>

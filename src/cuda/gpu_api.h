@@ -6,9 +6,12 @@
 #if defined(WEFT_HIP)
 #  include <hip/hip_runtime.h>
 #  define WEFT_GPU(name) hip##name
+#  define WEFT_LAUNCH_CONSTANT
 #else
 #  include <cuda_runtime.h>
 #  define WEFT_GPU(name) cuda##name
+/// An argument whose address may be taken without a copy of it for every thread.
+#  define WEFT_LAUNCH_CONSTANT __grid_constant__
 #endif
 
 #include "weft/core.hpp"

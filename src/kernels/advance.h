@@ -1,7 +1,8 @@
 // The kernel of a substep: forces | integration | colliders | pins, as stages of one pass.
 //
 // Inputs are the buffers of time n, outputs those of time n+1. A stage that a cloth does not need
-// is a uniform branch not taken, once per block of 32 particles.
+// is a uniform branch not taken, once per block of 32 particles. A stage outside of `Set` is not in
+// the kernel: a GPU runs the colliders as a pass of their own (kernels/collide_pass.h).
 #pragma once
 
 #include "kernels/collide.h"
@@ -14,7 +15,7 @@
 namespace weft {
 namespace WEFT_BACKEND_NS {
 
-template <class T, class Springs>
+template <class T, class Springs, StageSet Set = every_stage>
 struct Advance {
   using Fan = typename Springs::Fan;
   ParticleStages<T> stages;
@@ -30,33 +31,37 @@ struct Advance {
     const StepParams<T>& step = stages.step;
     const int of_cloth = sim.block.cloth[block];
     const ClothParams<T>& cloth = sim.cloths[of_cloth];
-    if constexpr (is_compiled(Stage::sleep)) {
+    if constexpr (contains(Set, Stage::sleep)) {
       if (sim.activity != nullptr && sim.activity[of_cloth].asleep) {
         return stages.rest(sim.activity[of_cloth], i0, lanes);
       }
     }
     LaneVec3<T, N> force;
     springs.gather(cloth, stages.p, block, i0, lanes, force);
-    if constexpr (is_compiled(Stage::forces)) {
+    if constexpr (contains(Set, Stage::forces)) {
       if (cloth.force_offset != no_forces) stages.add_constant_forces(cloth, i0, lanes, force);
     }
-    if constexpr (is_compiled(Stage::wind)) {
+    if constexpr (contains(Set, Stage::wind)) {
       if (cloth.in_wind) {
         blow(fan, cloth, stages.p, step, sim.inverse_mass, block, i0, lanes, force);
       }
     }
-    if constexpr (is_compiled(Stage::spring_damping)) {
+    if constexpr (contains(Set, Stage::spring_damping)) {
       if (cloth.spring_damping > T(0)) damp_springs(cloth, block, i0, lanes, force);
     }
     // -- seam: forces | integration | colliders
-    if (is_compiled(Stage::colliders) && sim.reach != nullptr && sim.activity != nullptr) {
-      integrate_and_collide(cloth, sim.activity[of_cloth], block, i0, lanes, force);
+    if constexpr (contains(Set, Stage::colliders)) {
+      if (sim.reach != nullptr && sim.activity != nullptr) {
+        integrate_and_collide(cloth, sim.activity[of_cloth], block, i0, lanes, force);
+      } else {
+        stages.integrate(cloth, Everywhere{}, i0, lanes, force);
+      }
     } else {
       stages.integrate(cloth, Everywhere{}, i0, lanes, force);
     }
     if (step.update != Update::summed && step.update != Update::position) return;
     // -- seam: colliders | pins
-    if constexpr (is_compiled(Stage::moving_pins)) {
+    if constexpr (contains(Set, Stage::moving_pins)) {
       if (sim.block.pins != nullptr && sim.block.pins[block] >= 0) {
         stages.place_pins(sim.block.pins[block] * block_size + lane0, i0, lanes);
       }
@@ -70,9 +75,7 @@ struct Advance {
                                      int block, int i0, Lanes<N> lanes,
                                      const LaneVec3<T, N>& force) const {
     const Simulation<T>& sim = stages.sim;
-    const bool by_block = activity.nearness == Nearness::block;
-    const Region<T> region{by_block ? sim.reach[block].low : activity.low,
-                           by_block ? sim.reach[block].high : activity.high};
+    const Region<T> region = region_of(sim, activity, block);
     bool every = activity.nearness == Nearness::every;
     if (every) {
       stages.integrate(cloth, Everywhere{}, i0, lanes, force);

@@ -21,7 +21,19 @@ WEFT_HD bool meets_nothing(const Simulation<T>& sim, const ClothActivity<T>& act
   return sim.reach[block].mask == 0;
 }
 
+/// Where the list of a block's colliders holds: the block's own, or its cloth's.
 template <class T>
+WEFT_HD Region<T> region_of(const Simulation<T>& sim, const ClothActivity<T>& activity, int block) {
+  const bool by_block = activity.nearness == Nearness::block;
+  return {by_block ? sim.reach[block].low : activity.low,
+          by_block ? sim.reach[block].high : activity.high};
+}
+
+/// What a pass meets: everything on the host; a GPU meets meshes, which need many registers, in a
+/// pass of their own.
+enum class Meets : uint8_t { all, shapes, meshes };
+
+template <class T, Meets what = Meets::all>
 struct CollideStage {
   const Simulation<T>& sim;
   const ParticleBuffers<T>& p;
@@ -38,12 +50,23 @@ struct CollideStage {
         activity.nearness == Nearness::block ? sim.reach[block].mask : ~uint64_t(0);
     const Walk walk{cloth, activity, region, mask};
     const Colliders<T>& c = sim.colliders;
-    every = meet_all(c.spheres, walk, ColliderShape::sphere, every, i0, lanes);
-    every = meet_all(c.planes, walk, ColliderShape::plane, every, i0, lanes);
-    every = meet_all(c.capsules, walk, ColliderShape::capsule, every, i0, lanes);
-    every = meet_all(c.cylinders, walk, ColliderShape::cylinder, every, i0, lanes);
-    every = meet_all(c.boxes, walk, ColliderShape::box, every, i0, lanes);
-    meet_all(c.meshes, walk, ColliderShape::mesh, every, i0, lanes);
+    if constexpr (what != Meets::meshes) {
+      every = meet_all(c.spheres, walk, ColliderShape::sphere, every, i0, lanes);
+      every = meet_all(c.planes, walk, ColliderShape::plane, every, i0, lanes);
+      every = meet_all(c.capsules, walk, ColliderShape::capsule, every, i0, lanes);
+      every = meet_all(c.cylinders, walk, ColliderShape::cylinder, every, i0, lanes);
+      every = meet_all(c.boxes, walk, ColliderShape::box, every, i0, lanes);
+    }
+    if constexpr (what != Meets::shapes) {
+      meet_all(c.meshes, walk, ColliderShape::mesh, every, i0, lanes);
+    }
+  }
+
+  /// Whether any particle is outside of the region now.
+  template <int N>
+  WEFT_HD bool has_left(const Region<T>& region, int i0, Lanes<N> lanes) const {
+    const Vec3Array<T> x = p.x_out;
+    return region.any_outside(lanes, [=](int l) WEFT_LANE { return load(x, i0 + l); });
   }
 
  private:
@@ -72,11 +95,6 @@ struct CollideStage {
       meet(shapes[index], i0, lanes);
     }
     return every;
-  }
-  template <int N>
-  WEFT_HD bool has_left(const Region<T>& region, int i0, Lanes<N> lanes) const {
-    const Vec3Array<T> x = p.x_out;
-    return region.any_outside(lanes, [=](int l) WEFT_LANE { return load(x, i0 + l); });
   }
 
   /// Each returns whether it has changed anything, or may have.

@@ -38,6 +38,8 @@ class Barrier {
 /// What one thread of a region sees.
 class Team {
  public:
+  static constexpr bool fuses = WEFT_FUSE_PASSES;
+
   Team(int thread, int threads, Barrier* barrier)
       : thread_(thread), threads_(threads), barrier_(barrier) {}
 

@@ -41,6 +41,7 @@ struct Simulation {
   MovingPins<T> pins;
   BlockRange ranges[most_block_ranges];
   int range_count;
+  bool windy;  ///< some cloth is in wind
 
   Vec3Array<T> x[3];  ///< x[0] now; x[1] next; x[2]: only in the position form
   Vec3Array<T> d[2];  ///< summed form: d[0] now, d[1] next; equal where no spring reads velocities

@@ -2,14 +2,14 @@
 //
 //   Exec exec;
 //   exec.frame(body)                     runs body(team) with everything inside enqueued together:
-//   one
-//                                        parallel region on the CPU, whose threads all run the
+//                                        one parallel region on the CPU, whose threads all run the
 //                                        body; one stream on the GPU, where the host runs it once
 //   team.for_each_block(count, kernel)   kernel(block, lane, lanes) for every block below count;
-//   the
-//                                        kernel is a trivially copyable functor; returns before the
+//                                        the kernel is a trivially copyable functor; returns before the
 //                                        other threads are done
 //   team.meet()                          everything before is visible to everything after
+//   Team::fuses                          a substep is one pass (step/variants.h), since what it has
+//                                        just written is still in a cache
 //
 // Built on these: reduce (step/reduce.h), a fixed tree whose bits no thread count changes. Outside
 // a frame: exclusive_scan and stable_sort_by_key (step/backend.h), each in a translation unit apart

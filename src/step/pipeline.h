@@ -2,11 +2,13 @@
 //
 //   frame:    reach?, substep, substep, ..., survey       one parallel region, one enqueue
 //   reach:    which colliders each block can touch        where a cloth has many near it
-//   substep:  advance = forces | wind? | integration | colliders? | pins?    one pass over all
+//   substep:  advance = forces | wind? | integration | colliders? | pins?    one pass over all;
+//             on a GPU colliders? | pins? are a second one
 //             swap:     what was written becomes what is read
 //   survey:   where the cloths are, how fast, whether any particle is lost
 #pragma once
 
+#include "kernels/collide_pass.h"
 #include "kernels/normals.h"
 #include "kernels/reach.h"
 #include "kernels/survey.h"
@@ -64,17 +66,46 @@ StepParams<T> step_params(const Frame<T>& frame, int s) {
   return step;
 }
 
-/// One pass: all springs, particles, colliders and pins of every cloth.
-template <class T, class Team>
-void advance(const Team& team, const Simulation<T>& sim, const ParticleBuffers<T>& p,
-             const StepParams<T>& step) {
+/// The stages of `Set` for every cloth.
+template <StageSet Set, class T, class Team>
+void advance_ranges(const Team& team, const Simulation<T>& sim, const ParticleBuffers<T>& p,
+                    const StepParams<T>& step) {
   for (int r = 0; r < sim.range_count; ++r) {
     const BlockRange range = sim.ranges[r];
     with_springs(range.kind, sim, [&](auto springs) {
-      using Kernel = Advance<T, decltype(springs)>;
+      using Kernel = Advance<T, decltype(springs), Set>;
       const auto fan = fan_of(sim, static_cast<const typename Kernel::Fan*>(nullptr));
       team.for_each_block(range.count, Kernel{{sim, p, step}, springs, fan, range.first});
     });
+  }
+}
+
+/// All springs, particles, colliders and pins of every cloth.
+template <class T, class Team>
+void advance(const Team& team, const Simulation<T>& sim, const ParticleBuffers<T>& p,
+             const StepParams<T>& step) {
+  if constexpr (Team::fuses) {
+    advance_ranges<one_pass>(team, sim, p, step);
+  } else {
+    const bool moves = step.update == Update::summed || step.update == Update::position;
+    const bool collide = moves && sim.reach != nullptr && sim.activity != nullptr;
+    const bool meshes = collide && sim.near_memory != nullptr;
+    Simulation<T> first = sim;
+    if (collide) first.block.pins = nullptr;  // the last pass places them
+    if (sim.windy) {
+      advance_ranges<in_wind>(team, first, p, step);
+    } else {
+      advance_ranges<in_still_air>(team, first, p, step);
+    }
+    const Simulation<T>& second = meshes ? first : sim;
+    if (collide) {
+      team.meet();
+      team.for_each_block(sim.blocks, CollidePass<T, Meets::shapes>{{second, p, step}});
+    }
+    if (meshes) {
+      team.meet();
+      team.for_each_block(sim.blocks, CollidePass<T, Meets::meshes>{{sim, p, step}});
+    }
   }
   team.meet();
 }

@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <cstring>
 #include <ostream>
 #include <stdexcept>
@@ -56,6 +57,17 @@ inline weft::WorldDesc plain_world(weft::Precision precision,
   return desc;
 }
 
+/// The host's, unless the environment names another: WEFT_TEST_BACKEND=cuda runs the tests of
+/// worlds on the GPU.
+inline weft::BackendKind tested_backend() {
+  const char* name = std::getenv("WEFT_TEST_BACKEND");
+  if (!name || std::strcmp(name, "omp") == 0) return weft::BackendKind::omp;
+  if (std::strcmp(name, "cuda") == 0) return weft::BackendKind::cuda;
+  if (std::strcmp(name, "hip") == 0) return weft::BackendKind::hip;
+  throw std::runtime_error(std::string("WEFT_TEST_BACKEND: ") + name +
+                           " is not a back end (give omp, cuda or hip)");
+}
+
 class TestWorld {
  public:
   explicit TestWorld(const weft::WorldDesc& desc = {}, weft::ContextDesc context = one_thread()) {
@@ -68,7 +80,7 @@ class TestWorld {
 
   static weft::ContextDesc one_thread() {
     weft::ContextDesc desc;
-    desc.backend = weft::BackendKind::omp;
+    desc.backend = tested_backend();
     desc.threads = 1;
     return desc;
   }

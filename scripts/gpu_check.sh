@@ -1,0 +1,186 @@
+#!/usr/bin/env bash
+# Checks weft on a machine with an NVIDIA GPU, and writes one report.
+# usage: scripts/gpu_check.sh [--again] [--results DIR] [STAGE...]
+#   --again        also the stages that passed before; without it a second call goes on
+#   --results DIR  where logs, figures and report.md go (default: out/gpu_check)
+#   STAGE          only these of: prepare build tests parity sanitize bench report
+#
+# The machine with the GPU needs no package registry: run `scripts/gpu_check.sh prepare` where there
+# is one, and take the whole folder along. Third-party headers and libraries are then found in
+# build/gpu_packages (below 60 MiB). Every stage ends within 8 minutes. Without a GPU only prepare
+# and build run.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+source scripts/stages.sh
+
+packages=$PWD/build/gpu_packages
+results=$PWD/out/gpu_check
+jobs=${JOBS:-$(nproc)}
+stage_seconds=480
+again=false
+all=(prepare build tests parity sanitize bench report)
+wanted=()
+while [[ $# -gt 0 ]]; do
+  case $1 in
+    --again) again=true ;;
+    --results)
+      [[ $# -gt 1 ]] || { echo "gpu_check: --results needs a folder" >&2; exit 2; }
+      results=$(realpath -m "$2")
+      shift
+      ;;
+    *)
+      if [[ " ${all[*]} " != *" $1 "* ]]; then
+        echo "gpu_check: $1 is not a stage; give some of ${all[*]}" >&2
+        exit 2
+      fi
+      wanted+=("$1")
+      ;;
+  esac
+  shift
+done
+[[ ${#wanted[@]} -gt 0 ]] || wanted=("${all[@]}")
+mkdir -p "$results"
+weft=build/gpu/tools/weft
+
+is_unprepared() { [[ $again == true || ! -d "$packages" ]]; }
+have_gpu() { nvidia-smi -L >/dev/null 2>&1; }
+have_nvcc() { command -v nvcc >/dev/null || [[ -x "${CUDA_HOME:-/usr/local/cuda}/bin/nvcc" ]]; }
+
+# Copies what distribution packages installed, below one prefix.
+prepare() {
+  scripts/setup.sh
+  rm -rf "$packages"
+  mkdir -p "$packages"
+  local package file
+  for package in libgtest-dev libgmock-dev libeigen3-dev nlohmann-json3-dev libcli11-dev; do
+    dpkg-query -W "$package" >/dev/null 2>&1 || continue
+    while read -r file; do
+      case $file in
+        /usr/include/* | /usr/lib/* | /usr/share/cmake/* | /usr/share/eigen3/*)
+          [[ -f "$file" ]] && cp --parents -L "$file" "$packages" ;;
+      esac
+    done < <(dpkg-query -L "$package")
+  done
+  local mib
+  mib=$(du -sm "$packages" | cut -f1)
+  echo "build/gpu_packages: $mib MiB"
+  if [[ $mib -ge 60 ]]; then
+    echo "build/gpu_packages must stay below 60 MiB" >&2
+    return 1
+  fi
+}
+
+# The device's own architecture, or the oldest one that is supported.
+architecture() {
+  local capability
+  capability=$(nvidia-smi --query-gpu=compute_cap --format=csv,noheader 2>/dev/null | head -n 1)
+  capability=${capability//./}
+  [[ "$capability" =~ ^[0-9]+$ ]] && echo "$capability" || echo 80
+}
+
+build() {
+  local options=(-B build/gpu -DCMAKE_CUDA_ARCHITECTURES="$(architecture)"
+                 -DWEFT_WARNINGS_AS_ERRORS=OFF)
+  [[ ! -d "$packages" ]] || options+=(-DCMAKE_PREFIX_PATH="$packages/usr")
+  command -v ninja >/dev/null || options+=(-G "Unix Makefiles")
+  if have_nvcc && command -v nvcc >/dev/null; then
+    CUDA_HOME=${CUDA_HOME:-$(dirname "$(dirname "$(readlink -f "$(command -v nvcc)")")")}
+    export CUDA_HOME
+  fi
+  cmake --preset cuda "${options[@]}"
+  # shellcheck disable=SC2046
+  cmake --build build/gpu --parallel "$jobs" --target weft_cli $(test_targets)
+}
+
+test_folders=(backend kernels physics stability determinism)
+test_targets() { printf 'tests/%s/all ' "${test_folders[@]}"; }
+
+# Worlds of the tests are made on the GPU; the programs are split so that several run at once.
+tests() {
+  local programs shards=${WEFT_GPU_TEST_SHARDS:-4} folder
+  programs=$(for folder in "${test_folders[@]}"; do
+    find "build/gpu/tests/$folder" -maxdepth 1 -type f -name 'weft_tests_*' -perm -u+x
+  done)
+  rm -rf "$results/tests"
+  mkdir -p "$results/tests"
+  local program shard
+  for program in $programs; do
+    for ((shard = 0; shard < shards; ++shard)); do echo "$program $shard"; done
+  done | WEFT_TEST_BACKEND=cuda GTEST_TOTAL_SHARDS=$shards OMP_WAIT_POLICY=passive \
+    xargs -P "$jobs" -L 1 bash -c '
+      GTEST_SHARD_INDEX=$2 "$1" >"$0/$(basename "$1").$2.log" 2>&1 || true' "$results/tests"
+  python3 scripts/gpu_report.py tests "$results"
+}
+
+# Every sample scene gives the same bits on the host and on the GPU.
+parity() {
+  local scene name backend failed=0
+  mkdir -p "$results/parity"
+  for scene in samples/scenes/*.json; do
+    name=$(basename "$scene" .json)
+    for backend in omp cuda; do
+      "$weft" run --backend "$backend" --final "$results/parity/$name.$backend.csv" \
+        --report "$results/parity/$name.$backend.json" "$scene" >/dev/null || failed=1
+    done
+  done
+  python3 scripts/gpu_report.py parity "$results"
+  return "$failed"
+}
+
+sanitize() {
+  local tool failed=0 log
+  mkdir -p "$results/sanitize"
+  for tool in memcheck initcheck synccheck racecheck; do
+    log=$results/sanitize/$tool.log
+    if ! compute-sanitizer --tool "$tool" --error-exitcode 9 "$weft" run --backend cuda --time 0.05 \
+        samples/scenes/sheet_on_sphere.json >"$log" 2>&1; then
+      failed=1
+    fi
+    echo "$tool: $(grep -E 'ERROR SUMMARY|RACECHECK SUMMARY' "$log" || tail -n 1 "$log")"
+  done
+  return "$failed"
+}
+
+bench() {
+  "$weft" bench gpu --json "${WEFT_GPU_BENCH_OPTIONS[@]}" >"$results/bench.json"
+  python3 scripts/gpu_report.py bench "$results"
+}
+read -r -a WEFT_GPU_BENCH_OPTIONS <<<"${WEFT_GPU_BENCH_OPTIONS:-}"
+
+report() {
+  python3 scripts/gpu_report.py report "$results" >"$results/report.md"
+  echo "$results/report.md"
+}
+
+describe_machine() {
+  {
+    nvidia-smi --query-gpu=name,driver_version,memory.total,clocks.max.sm --format=csv,noheader |
+      head -n 1
+    nvcc --version 2>/dev/null | grep release || true
+    ${CXX:-g++} --version | head -n 1
+    git log -1 --format='%h %s' 2>/dev/null || true
+    date -u +%Y-%m-%d
+  } >"$results/machine.txt"
+}
+
+limited() {  # STAGE: in a shell of its own, so that a limit can end it
+  export -f "$1" architecture test_targets have_nvcc
+  local script
+  script=$(declare -p packages results jobs weft test_folders WEFT_GPU_BENCH_OPTIONS)
+  timeout --foreground "$stage_seconds" bash -c "set -euo pipefail; $script; $1" &&
+    date -u +%FT%TZ >"$results/$1.done"
+}
+
+if have_gpu; then describe_machine; fi
+for name in "${wanted[@]}"; do
+  if [[ -e "$results/$name.done" && $again == false && $name != report ]]; then
+    stage_lines+=("$(printf '%-10s %5s    passed before (--again repeats it)' "$name" -)")
+    continue
+  fi
+  case $name in
+    prepare) stage_if is_unprepared "build/gpu_packages is there" prepare limited prepare ;;
+    build) stage_if have_nvcc "nvcc is missing" build limited build ;;
+    *) stage_if have_gpu "no NVIDIA GPU here" "$name" limited "$name" ;;
+  esac
+done
+finish

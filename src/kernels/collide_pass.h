@@ -19,7 +19,9 @@ struct CollidePass {
     const Simulation<T>& sim = stages.sim;
     const int of_cloth = sim.block.cloth[block];
     const ClothActivity<T>& activity = sim.activity[of_cloth];
-    if (contains(every_stage, Stage::sleep) && activity.asleep) return;
+    if constexpr (contains(every_stage, Stage::sleep)) {
+      if (activity.asleep) return;
+    }
     if constexpr (contains(every_stage, Stage::colliders)) {
       collide(sim.cloths[of_cloth], activity, block, i0, lanes);
     }

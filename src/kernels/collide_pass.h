@@ -1,5 +1,5 @@
-// Colliders | pins as a pass of their own, after the positions are written: for a GPU, where a stage
-// that needs many registers would take them from the whole kernel it is part of.
+// Colliders | pins as a pass of their own, after the positions are written: for a GPU, where a
+// stage that needs many registers would take them from the whole kernel it is part of.
 #pragma once
 
 #include "kernels/collide.h"
@@ -38,8 +38,7 @@ struct CollidePass {
                        int i0, Lanes<N> lanes) const {
     const CollideStage<T, what> stage{stages.sim, stages.p, stages.step};
     const Region<T> region = region_of(stages.sim, activity, block);
-    const bool every =
-        activity.nearness == Nearness::every || stage.has_left(region, i0, lanes);
+    const bool every = activity.nearness == Nearness::every || stage.has_left(region, i0, lanes);
     if (!every && meets_nothing(stages.sim, activity, block)) return;
     stage(cloth, activity, every, region, block, i0, lanes);
   }

@@ -5,8 +5,8 @@
 //                                        one parallel region on the CPU, whose threads all run the
 //                                        body; one stream on the GPU, where the host runs it once
 //   team.for_each_block(count, kernel)   kernel(block, lane, lanes) for every block below count;
-//                                        the kernel is a trivially copyable functor; returns before the
-//                                        other threads are done
+//                                        the kernel is a trivially copyable functor; returns before
+//                                        the other threads are done
 //   team.meet()                          everything before is visible to everything after
 //   Team::fuses                          a substep is one pass (step/variants.h), since what it has
 //                                        just written is still in a cache

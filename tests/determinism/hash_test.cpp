@@ -94,6 +94,7 @@ TEST(Scenes, MeetTheirColliders) {
 }
 
 TEST(Hash, AnInstructionSetThatIsNamedIsUsed) {
+  if (!on_host()) GTEST_SKIP() << "of the host back end";
   weft::ContextDesc context = TestWorld::one_thread();
   context.isa = weft::Isa::v2;
   TestWorld test({}, context);

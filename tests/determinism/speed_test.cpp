@@ -37,6 +37,7 @@ class SingleParticle : public testing::TestWithParam<uint32_t> {
  protected:
   void SetUp() override {
     if (!timed) GTEST_SKIP() << "timed in Release without sanitizers only";
+    if (!on_host()) GTEST_SKIP() << "a launch takes microseconds; weft bench gpu tells how many";
   }
   weft::ContextDesc context() const {
     weft::ContextDesc desc = TestWorld::one_thread();

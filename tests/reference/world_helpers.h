@@ -68,6 +68,8 @@ inline weft::BackendKind tested_backend() {
                            " is not a back end (give omp, cuda or hip)");
 }
 
+inline bool on_host() { return tested_backend() == weft::BackendKind::omp; }
+
 class TestWorld {
  public:
   explicit TestWorld(const weft::WorldDesc& desc = {}, weft::ContextDesc context = one_thread()) {

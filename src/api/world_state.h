@@ -24,7 +24,8 @@ enum Phase { phase_prepare, phase_inputs_and_advance, phase_check, phase_count }
 
 inline namespace v0 {
 
-struct World::Impl {
+// Hidden: a nested class else inherits the visibility of its public owner.
+struct __attribute__((visibility("hidden"))) World::Impl {
   Impl(std::shared_ptr<api::ContextState> owner, const WorldDesc& world_desc);
 
   api::ClothRecord* find(ClothId) noexcept;

@@ -4,10 +4,11 @@
 # GPU compiler (cuda or hip). Contraction is off everywhere: every copy gives the same bits.
 set(WEFT_KERNEL_FLAGS -fno-exceptions -ffp-contract=off -fno-math-errno -fno-trapping-math)
 
-set(WEFT_ISA_LEVELS v2)
+set(levels v2)
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
-  set(WEFT_ISA_LEVELS v2 v3 v4)
+  set(levels v2 v3 v4)
 endif()
+set(WEFT_ISA_LEVELS "${levels}" CACHE STRING "x86-64 levels of the host kernels; v2 runs everywhere")
 
 # One copy of the host kernels in namespace NS; MARCH may be empty.
 function(weft_add_host_kernels target ns march)
@@ -46,7 +47,10 @@ function(weft_add_backends target)
   weft_warnings(weft_omp_sort)
   weft_sanitize(weft_omp_sort)
   target_sources(${target} PRIVATE $<TARGET_OBJECTS:weft_omp_sort>)
-  target_link_libraries(${target} PRIVATE OpenMP::OpenMP_CXX Threads::Threads)
+  # An installed static library asks for the runtime it was compiled for, by name: another compiler's
+  # OpenMP may be another runtime.
+  target_link_libraries(${target} PRIVATE $<BUILD_INTERFACE:OpenMP::OpenMP_CXX>
+    $<INSTALL_INTERFACE:${WEFT_OPENMP_RUNTIME}> Threads::Threads)
 
   if(BACKEND STREQUAL "cuda")
     weft_add_cuda(${target})

@@ -4,6 +4,8 @@ find_package(OpenMP COMPONENTS CXX)
 if(NOT OpenMP_CXX_FOUND)
   message(FATAL_ERROR "OpenMP is missing (the host back end needs it). Install: apt-get install libgomp1 (g++) or libomp-dev (clang)")
 endif()
+set(WEFT_OPENMP_RUNTIME ${OpenMP_CXX_LIB_NAMES})
+list(REMOVE_ITEM WEFT_OPENMP_RUNTIME pthread)
 find_package(Threads REQUIRED)
 
 find_package(Eigen3 3.3 NO_MODULE QUIET)

@@ -78,3 +78,6 @@ if(TARGET weft_cli)
     DESTINATION ${CMAKE_INSTALL_DATADIR}/weft COMPONENT tools FILES_MATCHING PATTERN "*.json")
 endif()
 
+if(PROJECT_IS_TOP_LEVEL AND shared)
+  include(WeftDebian)
+endif()

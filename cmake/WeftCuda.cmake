@@ -22,6 +22,13 @@ function(weft_add_cuda target)
   target_compile_definitions(weft_cuda PRIVATE WEFT_BACKEND_NS=cuda
     WEFT_BACKEND_NAME="cuda" WEFT_BACKEND_FACTORY=backend_cuda)
   target_compile_options(weft_cuda PRIVATE -fmad=false -Xcompiler=-ffp-contract=off,-Wall)
+  # How many registers a kernel takes is kept next to its object; a test reads it.
+  find_package(Python3 3.9 COMPONENTS Interpreter QUIET)
+  if(Python3_Interpreter_FOUND AND NOT CMAKE_CUDA_COMPILER_LAUNCHER)
+    target_compile_options(weft_cuda PRIVATE -Xptxas=-v)
+    set_target_properties(weft_cuda PROPERTIES CUDA_COMPILER_LAUNCHER
+      "${Python3_EXECUTABLE};-B;${PROJECT_SOURCE_DIR}/cmake/keep_ptxas.py")
+  endif()
   set_target_properties(weft_cuda PROPERTIES
     CUDA_STANDARD 17 CUDA_STANDARD_REQUIRED ON CUDA_RUNTIME_LIBRARY Static
     CUDA_VISIBILITY_PRESET hidden POSITION_INDEPENDENT_CODE ON)

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Checks weft on a machine with an NVIDIA GPU, and writes one report.
-# usage: scripts/gpu_check.sh [--again] [--results DIR] [STAGE...]
+# usage: scripts/gpu_check.sh [--again] [--build DIR] [--results DIR] [STAGE...]
 #   --again        also the stages that passed before; without it a second call goes on
+#   --build DIR    where it builds (default: build/gpu)
 #   --results DIR  where logs, figures and report.md go (default: out/gpu_check)
 #   STAGE          only these of: prepare build tests parity sanitize bench report
 #
@@ -15,6 +16,7 @@ source scripts/stages.sh
 
 packages=$PWD/build/gpu_packages
 results=$PWD/out/gpu_check
+build=$PWD/build/gpu
 jobs=${JOBS:-$(nproc)}
 stage_seconds=480
 again=false
@@ -23,9 +25,9 @@ wanted=()
 while [[ $# -gt 0 ]]; do
   case $1 in
     --again) again=true ;;
-    --results)
-      [[ $# -gt 1 ]] || { echo "gpu_check: --results needs a folder" >&2; exit 2; }
-      results=$(realpath -m "$2")
+    --results | --build)
+      [[ $# -gt 1 ]] || { echo "gpu_check: $1 needs a folder" >&2; exit 2; }
+      if [[ $1 == --build ]]; then build=$(realpath -m "$2"); else results=$(realpath -m "$2"); fi
       shift
       ;;
     *)
@@ -40,7 +42,7 @@ while [[ $# -gt 0 ]]; do
 done
 [[ ${#wanted[@]} -gt 0 ]] || wanted=("${all[@]}")
 mkdir -p "$results"
-weft=build/gpu/tools/weft
+weft=$build/tools/weft
 
 is_unprepared() { [[ $again == true || ! -d "$packages" ]]; }
 have_gpu() { nvidia-smi -L >/dev/null 2>&1; }
@@ -61,6 +63,10 @@ prepare() {
       esac
     done < <(dpkg-query -L "$package")
   done
+  # Meshes that the sample scenes read.
+  while read -r file; do
+    [[ -f "$file" ]] && cp --parents -L "$file" "$packages"
+  done < <(grep -oh '"/usr/share/[^"]*"' samples/scenes/*.json | tr -d '"' | sort -u)
   local mib
   mib=$(du -sm "$packages" | cut -f1)
   echo "build/gpu_packages: $mib MiB"
@@ -79,8 +85,8 @@ architecture() {
 }
 
 build() {
-  local options=(-B build/gpu -DCMAKE_CUDA_ARCHITECTURES="$(architecture)"
-                 -DWEFT_WARNINGS_AS_ERRORS=OFF)
+  local options=(-B "$build" -DCMAKE_CUDA_ARCHITECTURES="$(architecture)"
+                 -DWEFT_WARNINGS_AS_ERRORS="${WARNINGS_AS_ERRORS:-OFF}")
   [[ ! -d "$packages" ]] || options+=(-DCMAKE_PREFIX_PATH="$packages/usr")
   command -v ninja >/dev/null || options+=(-G "Unix Makefiles")
   if have_nvcc && command -v nvcc >/dev/null; then
@@ -89,7 +95,7 @@ build() {
   fi
   cmake --preset cuda "${options[@]}"
   # shellcheck disable=SC2046
-  cmake --build build/gpu --parallel "$jobs" --target weft_cli $(test_targets)
+  cmake --build "$build" --parallel "$jobs" --target weft_cli $(test_targets)
 }
 
 test_folders=(backend kernels physics stability determinism)
@@ -99,7 +105,7 @@ test_targets() { printf 'tests/%s/all ' "${test_folders[@]}"; }
 tests() {
   local programs shards=${WEFT_GPU_TEST_SHARDS:-4} folder
   programs=$(for folder in "${test_folders[@]}"; do
-    find "build/gpu/tests/$folder" -maxdepth 1 -type f -name 'weft_tests_*' -perm -u+x
+    find "$build/tests/$folder" -maxdepth 1 -type f -name 'weft_tests_*' -perm -u+x
   done)
   rm -rf "$results/tests"
   mkdir -p "$results/tests"
@@ -108,7 +114,8 @@ tests() {
     for ((shard = 0; shard < shards; ++shard)); do echo "$program $shard"; done
   done | WEFT_TEST_BACKEND=cuda GTEST_TOTAL_SHARDS=$shards OMP_WAIT_POLICY=passive \
     xargs -P "$jobs" -L 1 bash -c '
-      GTEST_SHARD_INDEX=$2 "$1" >"$0/$(basename "$1").$2.log" 2>&1 || true' "$results/tests"
+      GTEST_SHARD_INDEX=$2 timeout "${WEFT_GPU_TEST_SECONDS:-400}" "$1" \
+        >"$0/$(basename "$1").$2.log" 2>&1 || true' "$results/tests"
   python3 scripts/gpu_report.py tests "$results"
 }
 
@@ -118,6 +125,10 @@ parity() {
   mkdir -p "$results/parity"
   for scene in samples/scenes/*.json; do
     name=$(basename "$scene" .json)
+    if [[ -d "$packages/usr/share" && ! -d /usr/share/assimp ]]; then
+      sed "s#\"/usr/share/#\"$packages/usr/share/#" "$scene" >"$results/parity/$name.scene.json"
+      scene=$results/parity/$name.scene.json
+    fi
     for backend in omp cuda; do
       "$weft" run --backend "$backend" --final "$results/parity/$name.$backend.csv" \
         --report "$results/parity/$name.$backend.json" "$scene" >/dev/null || failed=1
@@ -132,8 +143,8 @@ sanitize() {
   mkdir -p "$results/sanitize"
   for tool in memcheck initcheck synccheck racecheck; do
     log=$results/sanitize/$tool.log
-    if ! compute-sanitizer --tool "$tool" --error-exitcode 9 "$weft" run --backend cuda --time 0.05 \
-        samples/scenes/sheet_on_sphere.json >"$log" 2>&1; then
+    if ! compute-sanitizer --tool "$tool" --error-exitcode 9 "$weft" run --backend cuda \
+        --time 0.05 samples/scenes/sheet_on_sphere.json >"$log" 2>&1; then
       failed=1
     fi
     echo "$tool: $(grep -E 'ERROR SUMMARY|RACECHECK SUMMARY' "$log" || tail -n 1 "$log")"
@@ -166,7 +177,7 @@ describe_machine() {
 limited() {  # STAGE: in a shell of its own, so that a limit can end it
   export -f "$1" architecture test_targets have_nvcc
   local script
-  script=$(declare -p packages results jobs weft test_folders WEFT_GPU_BENCH_OPTIONS)
+  script=$(declare -p packages results build jobs weft test_folders WEFT_GPU_BENCH_OPTIONS)
   timeout --foreground "$stage_seconds" bash -c "set -euo pipefail; $script; $1" &&
     date -u +%FT%TZ >"$results/$1.done"
 }

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Installs what weft needs to be built and tested on Debian 12 or a relative of it.
 # usage: scripts/setup.sh [--all]
-#   --all  also clang with its OpenMP and sanitizer runtimes, for the other stages of test.sh
+#   --all  also clang with its OpenMP and sanitizer runtimes, hipcc with rocPRIM, and pkg-config, for
+#          the other stages of test.sh
 # Says what it installs, and does nothing (in a fraction of a second) when nothing is missing.
 set -euo pipefail
 
@@ -69,7 +70,8 @@ need_command valgrind valgrind
 need_package libgtest-dev libeigen3-dev nlohmann-json3-dev libcli11-dev assimp-testmodels
 have_thrust || need_package libthrust-dev libcub-dev
 if [[ "${1:-}" == --all ]]; then
-  for package in clang libclang-rt-14-dev libomp-dev llvm; do
+  for package in clang libclang-rt-14-dev libomp-dev llvm \
+                 hipcc libamdhip64-dev rocm-device-libs librocprim-dev dpkg-dev pkg-config; do
     is_installed "$package" || extras+=("$package")
   done
 fi
@@ -82,5 +84,5 @@ if [[ ${#packages[@]} -gt 0 ]]; then
   install "${packages[@]}"
 fi
 if [[ ${#extras[@]} -gt 0 ]] && ! install "${extras[@]}"; then
-  echo "setup: going on without ${extras[*]} (only the second compiler's tests need them)" >&2
+  echo "setup: going on without ${extras[*]} (only some stages of test.sh need them)" >&2
 fi

@@ -3,8 +3,9 @@
 # usage: scripts/test.sh [--quick | STAGE...]
 #   --quick  only the release build and all of its tests
 #   STAGE    only these, for example: scripts/test.sh asan tsan
-# Stages: setup, release, cuda (needs nvcc), debug, and clang, asan and tsan (need clang++). A stage
-# that fails does not stop the next one; the script fails if any of them did.
+# Stages: setup, release, cuda (needs nvcc), hip (needs hipcc), packaging, debug, and clang, asan and
+# tsan (need clang++). A stage that fails does not stop the next one; the script fails if any of them
+# did.
 # shellcheck disable=SC2317  # the stages are called by name
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -72,19 +73,31 @@ release() {
 
 cuda() {
   configure cuda -DCMAKE_CUDA_ARCHITECTURES="${CUDA_ARCHITECTURES:-80}"
-  compile cuda weft_cli
+  # As far as a machine without a GPU can: packages, and the build of all that the check runs.
+  scripts/gpu_check.sh --again --build build/cuda prepare build
+  run_tests cuda -R '^hygiene[.]no_spills$'
   if ! nvidia-smi >/dev/null 2>&1; then
-    check_fallback
+    check_fallback cuda
   fi
   same_bits cuda
 }
 
+# Nobody has run this one on an AMD GPU yet.
+hip() {
+  configure hip
+  compile hip weft_cli
+  if [[ ! -e /dev/kfd ]]; then
+    check_fallback hip
+  fi
+  same_bits hip
+}
+
 # Without a usable GPU the program starts, says so in one line and runs on the host.
-check_fallback() {
+check_fallback() {  # PRESET
   local scene said
   scene=$(find samples/scenes -name '*.json' | sort | head -n 1)
-  said=$(build/cuda/tools/weft run "$scene" --time 0.1 2>&1 | grep 'GPU is not used' || true)
-  echo "without a GPU: $said"
+  said=$("build/$1/tools/weft" run "$scene" --time 0.1 2>&1 | grep 'GPU is not used' || true)
+  echo "$1 without a GPU: $said"
   if [[ $(grep -c . <<<"$said") -ne 1 ]]; then
     echo "one line about the fallback was expected" >&2
     return 1
@@ -100,6 +113,17 @@ forget_dead_teams() {
     pid=${pid%%_*}
     [[ ! -e "$file" || -d "/proc/$pid" ]] || rm -f "$file"
   done
+}
+
+# Every way of taking weft into another project, and its Debian packages.
+packaging() {
+  if [[ ! -e build/release/src/libweft.a ]]; then
+    configure release
+    compile release weft
+  fi
+  configure shared
+  compile shared weft weft_cli
+  python3 -B tests/packaging/consumers.py . build/release build/shared
 }
 
 clang() {
@@ -133,7 +157,7 @@ tsan() {
 }
 
 setup_options=(--all)
-all=(setup release cuda clang debug asan tsan)
+all=(setup release cuda hip packaging clang debug asan tsan)
 case "${1:-}" in
   "") wanted=("${all[@]}") ;;
   --quick) wanted=(setup release) setup_options=() ;;
@@ -149,6 +173,8 @@ done
 for name in "${wanted[@]}"; do
   case $name in
     cuda) stage_if have_nvcc "nvcc is missing" cuda cuda ;;
+    packaging) stage_if "have pkg-config" "pkg-config is missing" packaging packaging ;;
+    hip) stage_if "have hipcc" "hipcc is missing" hip hip ;;
     clang | asan | tsan) stage_if "have clang++" "clang++ is missing" "$name" "$name" ;;
     *) stage "$name" "$name" ;;
   esac

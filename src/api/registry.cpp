@@ -17,6 +17,9 @@ const Backend& backend_omp_v4();
 #ifdef WEFT_HAVE_CUDA
 const Backend* backend_cuda(const char** reason);
 #endif
+#ifdef WEFT_HAVE_HIP
+const Backend* backend_hip(const char** reason);
+#endif
 
 namespace api {
 
@@ -92,10 +95,13 @@ BackendChoice choose_host(Isa level) {
 
 const Backend* gpu_backend(BackendKind kind, const char** reason) {
   *reason = nullptr;
+  const bool any = kind == BackendKind::automatic;
+  (void)any;
 #ifdef WEFT_HAVE_CUDA
-  if (kind == BackendKind::cuda || kind == BackendKind::automatic) return backend_cuda(reason);
-#else
-  (void)kind;
+  if (any || kind == BackendKind::cuda) return backend_cuda(reason);
+#endif
+#ifdef WEFT_HAVE_HIP
+  if (any || kind == BackendKind::hip) return backend_hip(reason);
 #endif
   return nullptr;
 }

@@ -39,7 +39,7 @@
 
 /// Value of a lane `by` lanes further up the warp; on the host a kernel has no warp.
 #if defined(__HIP_DEVICE_COMPILE__)
-#  define WEFT_SHUFFLE_DOWN(value, by) __shfl_down(value, by, 32)
+#  define WEFT_SHUFFLE_DOWN(value, by) __shfl_down(value, static_cast<unsigned>(by), 32)
 #elif defined(__CUDA_ARCH__)
 #  define WEFT_SHUFFLE_DOWN(value, by) __shfl_down_sync(~0u, value, by)
 #else

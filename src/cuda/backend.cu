@@ -54,8 +54,8 @@ const Backend* WEFT_BACKEND_FACTORY(const char** reason) {
     return nullptr;
   }
   static const BackendOf<GpuDevice> backend;
-  static WEFT_GPU(DeviceProp) properties = [] {
-    WEFT_GPU(DeviceProp) p{};
+  static const GpuProperties properties = [] {
+    GpuProperties p{};
     (void)WEFT_GPU(GetDeviceProperties)(&p, 0);
     return p;
   }();

@@ -2,8 +2,9 @@
 // whose order is the barrier.
 #pragma once
 
+#include "cuda/gpu_api.h"  // first: what it declares is called in templates below
+
 #include "base/lanes.h"
-#include "cuda/gpu_api.h"
 #include "step/exec_contract.h"
 
 namespace weft {

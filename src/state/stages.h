@@ -15,17 +15,17 @@ enum class Stage : uint32_t {
   moving_pins      ///< pins that are not where they were
 };
 
-constexpr bool is_compiled(Stage stage) {
+WEFT_HD constexpr bool is_compiled(Stage stage) {
   return ((WEFT_LEAVE_OUT_STAGES >> static_cast<uint32_t>(stage)) & 1u) == 0;
 }
 
 /// The stages that a pass is made of: bit k is Stage k.
 using StageSet = uint32_t;
 constexpr StageSet every_stage = ~StageSet(0);
-constexpr StageSet without(StageSet set, Stage stage) {
+WEFT_HD constexpr StageSet without(StageSet set, Stage stage) {
   return set & ~(StageSet(1) << static_cast<uint32_t>(stage));
 }
-constexpr bool contains(StageSet set, Stage stage) {
+WEFT_HD constexpr bool contains(StageSet set, Stage stage) {
   return is_compiled(stage) && without(set, stage) != set;
 }
 

@@ -12,6 +12,7 @@ import unittest
 import cpu_library
 import isa_symbols
 import layers
+import no_spills
 import public_headers
 import style
 import variants
@@ -215,6 +216,29 @@ class Vectorised(Project):
                 "float two(float x) { return std::sqrt(x) + std::sqrt(x + 1); } }\n")
         found = self.problems(self.LOOP % "" + text, "1 weft::one  # a comment\n1 weft::two\n")
         self.assertEqual(found, ["omp_v3: 2 scalar roots, 1 allowed: weft::two(float)"])
+
+
+class NoSpills(unittest.TestCase):
+    OUTPUT = """ptxas info    : 0 bytes gmem
+ptxas info    : Compiling entry function 'K' for 'sm_80'
+ptxas info    : Function properties for K
+    16 bytes stack frame, {0} bytes spill stores, {0} bytes spill loads
+ptxas info    : Used 255 registers, used 0 barriers
+"""
+
+    def problems(self, kernel, spilled):
+        name = f"void weft::cuda::run_blocks<weft::cuda::{kernel} >(int, weft::cuda::{kernel} )"
+        return no_spills.check(self.OUTPUT.format(spilled), lambda _: name)[0]
+
+    def test_refuses_spills_and_silence(self):
+        self.assertEqual(self.problems("Survey<float>", 0), [])
+        self.assertIn("Survey<float> spills 8 bytes on sm_80", self.problems("Survey<float>", 4)[0])
+        self.assertIn("no kernel was found", no_spills.check("nvcc fatal", str)[0][0])
+
+    def test_bounds_what_a_rare_pass_may_spill(self):
+        for kernel, most in no_spills.MAY_SPILL.items():
+            self.assertEqual(self.problems(kernel, most // 2), [])
+            self.assertIn("spills", self.problems(kernel, most)[0])
 
 
 class Variants(Project):

@@ -23,7 +23,7 @@ function(weft_library_kind target)
     target_compile_definitions(${target} PUBLIC WEFT_STATIC)
     # Instances of std:: templates stay visible whatever the visibility of their arguments' owner.
     if(is_elf)
-      target_link_options(${target} INTERFACE LINKER:--exclude-libs,$<TARGET_FILE_NAME:${target}>)
+      target_link_options(${target} INTERFACE LINKER:--exclude-libs,${CMAKE_STATIC_LIBRARY_PREFIX}${target}${CMAKE_STATIC_LIBRARY_SUFFIX})
     endif()
     return()
   endif()

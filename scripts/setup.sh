@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # Installs what weft needs to be built and tested on Debian 12 or a relative of it.
 # usage: scripts/setup.sh [--all]
-#   --all  also clang with its OpenMP and sanitizer runtimes, hipcc with rocPRIM, and pkg-config, for
-#          the other stages of test.sh
+#   --all  also clang with its OpenMP and sanitizer runtimes, hipcc with rocPRIM, and pkg-config,
+#          for the other stages of test.sh
 # Says what it installs, and does nothing (in a fraction of a second) when nothing is missing.
 set -euo pipefail
 

@@ -3,9 +3,9 @@
 # usage: scripts/test.sh [--quick | STAGE...]
 #   --quick  only the release build and all of its tests
 #   STAGE    only these, for example: scripts/test.sh asan tsan
-# Stages: setup, release, cuda (needs nvcc), hip (needs hipcc), packaging, debug, and clang, asan and
-# tsan (need clang++). A stage that fails does not stop the next one; the script fails if any of them
-# did.
+# Stages: setup, release, cuda (needs nvcc), hip (needs hipcc), packaging, debug, and clang, asan
+# and tsan (need clang++). A stage that fails does not stop the next one; the script fails if any of
+# them did.
 # shellcheck disable=SC2317  # the stages are called by name
 set -euo pipefail
 cd "$(dirname "$0")/.."

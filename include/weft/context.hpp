@@ -17,6 +17,7 @@ struct ContextDesc {
   uint32_t threads = 0;      ///< 0: one per core; else honoured, also above the number of cores
   Allocator allocator;
   Log log;
+  Jobs jobs;
 };
 
 struct ContextInfo {

@@ -90,6 +90,8 @@ enum class Status : int32_t {
   unsupported,    ///< valid, but not available in this version
   unstable_step,  ///< the step is beyond the stable bound and `unsafe` is off
   diverged,       ///< a position is no longer finite
+  wrong_thread,   ///< another thread is inside the same world
+  in_flight,      ///< a step has begun and has not ended
 };
 WEFT_API const char* to_string(Status) noexcept;
 
@@ -126,6 +128,7 @@ struct Id {
 };
 using ClothId = Id<struct cloth_tag>;
 using ColliderId = Id<struct collider_tag>;
+using OutputId = Id<struct output_tag>;
 
 enum class Severity : uint8_t { info, warning, error };
 
@@ -142,6 +145,21 @@ struct Allocator {
 struct Log {
   void* user = nullptr;
   void (*message)(void* user, Severity, const char* text) = nullptr;
+};
+
+/// The caller's own threads: with them weft opens no OpenMP region, in sorts neither. Both of
+/// `workers` and `parallel_for`, or none.
+struct Jobs {
+  void* user = nullptr;
+  uint32_t workers = 0;  ///< threads that parallel_for may use at once
+  /// Calls fn(ctx, begin, end) for ranges that cover [0, count) once, each of about `grain` items,
+  /// in any order on any threads, and returns when all are done. May be called from several threads
+  /// where several worlds step at once. `name` is a literal.
+  void (*parallel_for)(void* user, uint32_t count, uint32_t grain,
+                       void (*fn)(void* ctx, uint32_t begin, uint32_t end), void* ctx,
+                       const char* name) = nullptr;
+  /// Optional: starts fn(ctx) on another thread and returns, for World::begin_step.
+  void (*launch)(void* user, void (*fn)(void* ctx), void* ctx, const char* name) = nullptr;
 };
 
 enum class Precision : uint8_t { float32, float64 };

@@ -29,8 +29,12 @@ struct WorldDesc {
   Start start = Start::taylor;
   /// Substeps of a step; 0: the fewest with dt <= safety * bound (one without springs).
   uint32_t substeps = 0;
-  double safety = 0.9;  ///< in (0, 1]
-  bool unsafe = false;  ///< allow a fixed number of substeps beyond the stable bound
+  double safety = 0.9;                 ///< in (0, 1]
+  bool unsafe = false;                 ///< allow a fixed number of substeps beyond the stable bound
+  double fixed_dt = 1.0 / 60;          ///< s, > 0: a step of advance()
+  uint32_t max_steps_per_advance = 4;  ///< > 0; what is left of a frame then is dropped
+  /// Keep the positions before the last step, so that outputs can lie between the two.
+  bool interpolate = false;
 };
 
 /// Prescribed motion of pinned vertices: p0 + velocity t + amplitude sin(omega t), t in world time.
@@ -179,6 +183,9 @@ struct Stability {
 enum class EventType : uint8_t {
   non_finite,        ///< a position became NaN or infinite; `vertex` is the first one
   backend_fallback,  ///< the back end asked for had no device
+  slept,             ///< a cloth has come to rest (ClothDesc::sleep_speed)
+  woke,              ///< and moves again
+  time_dropped,      ///< advance() could not keep up: Stats::time_dropped has grown
 };
 WEFT_API const char* to_string(EventType) noexcept;
 struct Event {
@@ -200,6 +207,7 @@ struct Stats {
   uint32_t substeps_last, substeps_most;
   double dt_last, dt_least;  ///< s
   double step_seconds;       ///< wall time inside step()
+  double time_dropped;       ///< s, by advance(), since the world was made
   uint32_t threads;          ///< most that a step may use; small worlds run on fewer
   View<PhaseTime> phases;
   uint64_t bytes_state, bytes_total;
@@ -212,11 +220,57 @@ struct Mechanics {
   double3 momentum;
 };
 
-/// Cloths and colliders that share time, gravity and precision. Used by one thread at a time;
-/// different worlds of one context may be used by different threads. Inputs change between steps.
-/// Every failing call leaves the world as it was, but for a step that ends in `diverged`: the world
-/// is then readable and of no further use. A world holds at most 2^30 particles. Vertices are
-/// numbered as the caller gave them.
+// Outputs: where the vertices of a cloth go, described once and written every frame. An output
+// writes the bytes of the attributes that it names and no others: what lies between them, texture
+// coordinates for example, stays. Vertices come in the caller's order.
+
+/// How an attribute is stored, in the processor's byte order.
+enum class Format : uint8_t {
+  none,       ///< not written
+  f32x3,      ///< three floats
+  f32x4,      ///< and a fourth: 1 of positions, 0 of normals
+  f16x4,      ///< four half floats, the same
+  snorm8x4,   ///< normals only: v = c / 127, the fourth 0
+  snorm16x4,  ///< normals only: v = c / 32767, the fourth 0
+  oct16x2     ///< normals only: two snorm16 of the octahedral map
+};
+WEFT_API uint32_t size_of(Format) noexcept;  ///< bytes of an attribute; 0 of none
+struct Attribute {
+  Format format = Format::none;
+  uint32_t offset = 0;  ///< bytes, from the start of the buffer to the attribute of vertex 0
+  uint32_t stride = 0;  ///< bytes from vertex to vertex, at least the size of the format
+};
+struct VertexLayout {
+  Attribute position;
+  Attribute normal;         ///< zero where a vertex has no area around it, and of networks
+  Attribute last_position;  ///< where the last write_outputs put the vertex: for motion vectors
+};
+struct OutputDesc {
+  VertexLayout layout;  ///< interleaved or not; attributes must not overlap
+  void* memory =
+      nullptr;         ///< start of the buffer, any alignment; only ever written. May come later
+  uint64_t bytes = 0;  ///< of the buffer: checked; 0: not known
+  uint32_t first_vertex = 0;  ///< the cloth's vertex 0 in the buffer, which many may share
+  double3 origin{0, 0, 0};    ///< m; subtracted in double precision before rounding to float
+};
+/// A box round a cloth.
+struct Bounds {
+  double3 low, high;  ///< m, in the world; low above high: no vertices
+};
+/// What advance() did: steps, and how far the frame lies from the last step to the next, in [0, 1):
+/// the alpha for write_outputs of a world that interpolates, where outputs lag a step behind.
+struct Advance {
+  uint32_t steps = 0;
+  double alpha = 0;
+};
+
+/// Cloths and colliders that share time, gravity and precision. Used by one thread at a time, not
+/// always the same; different worlds of one context may be used by different threads at once. A
+/// call while another thread is inside answers wrong_thread; one between begin_step and end_step
+/// answers in_flight. Neither changes anything. Inputs change between steps. Every failing call
+/// leaves the world as it was, but for a step that ends in `diverged`: the world is then readable
+/// and of no further use. A world holds at most 2^30 particles. Vertices are numbered as the caller
+/// gave them.
 class WEFT_API World {
  public:
   World() noexcept = default;
@@ -258,6 +312,17 @@ class WEFT_API World {
   /// Advances by `dt` seconds (>= 0) in substeps of equal length. dt = 0 changes no bit.
   /// unstable_step: nothing was advanced. diverged: an event says which vertex.
   Status step(double dt) noexcept;
+  /// Passes a frame of `frame_dt` seconds (>= 0) in steps of WorldDesc::fixed_dt. At most
+  /// max_steps_per_advance are made; what they leave of the frame is dropped, with an event.
+  Result<Advance> advance(double frame_dt) noexcept;
+  /// step(dt) in two halves: the first takes up the inputs and returns, the second waits for the
+  /// end. In between only step_done, valid, time, stats, bounds and events may be called, from the
+  /// same thread. Where the caller brings jobs, Jobs::launch runs the step; without it begin_step
+  /// does. begin_step fails as step does, and nothing has then begun. end_step without begin_step:
+  /// invalid_argument.
+  Status begin_step(double dt) noexcept;
+  bool step_done() const noexcept;  ///< end_step would not wait
+  Status end_step() noexcept;
   /// Substeps that step(dt) would take, or why it would refuse.
   Result<uint32_t> substeps(double dt) noexcept;
 
@@ -268,6 +333,20 @@ class WEFT_API World {
   Result<PlanInfo> plan() noexcept;
   Stats stats() const noexcept;
   View<Event> events() const noexcept;  ///< of the last step; valid until the next
+
+  /// Errors: a null buffer size with memory too small, strides below the size, attributes that
+  /// overlap, formats that do not fit the attribute. An output goes with its cloth.
+  Result<OutputId> bind_output(ClothId, const OutputDesc&) noexcept;
+  Status unbind_output(OutputId) noexcept;
+  /// For engines that map a new address every frame. `bytes` as in OutputDesc.
+  Status set_output_memory(OutputId, void* memory, uint64_t bytes = 0) noexcept;
+  /// Writes every output: positions `alpha` of the way from before the last step to after it (below
+  /// 1: WorldDesc::interpolate), normals after it. Writes nothing where it fails: an output without
+  /// memory, alpha outside of [0, 1].
+  Status write_outputs(double alpha = 1) noexcept;
+  /// Round all vertices after the last finished step; of a world that interpolates, and before it.
+  /// Never waits.
+  Result<Bounds> bounds(ClothId) const noexcept;
 
   double time() const noexcept;
   /// World positions, m, one per vertex; `stride` bytes apart (at least the size of a point).

@@ -55,13 +55,17 @@ class ArenaOf final : public Arena {
       : context_(context), backend_(*context.backend), colliders_(backend_), pins_(backend_) {}
   ~ArenaOf() override { release(); }
 
-  Status build(const ArenaInput& in, double dt_before, double time, int threads) override {
+  Status build(const ArenaInput& in, double dt_before, double time, Workers workers) override {
     release();
     plan_ = plan::compile_plan(in.shape);
     layout_ = plan::lay_out(in.shape, step());
     Status status = allocate();
     if (status != Status::ok) return status;
     sim_ = views_of<T>(layout_, plan_, in.shape, memory_);
+    before_ = {nullptr, 0};
+    if (layout_.before.offset != plan::absent) {
+      before_ = {at<T>(layout_.before.offset), layout_.before.pitch};
+    }
 
     std::vector<char> mirror;  // where the device is not the host's own memory
     char* image = memory_;
@@ -86,7 +90,7 @@ class ArenaOf final : public Arena {
     }
     status = upload_params(in);
     if (status != Status::ok) return status;
-    Frame<T> frame = make_frame(in, {1, dt_before, dt_before, time, threads});
+    Frame<T> frame = make_frame(in, {1, dt_before, dt_before, time, workers});
     frame.sim.activity = nullptr;  // nobody sleeps through these
     const bool any =
         std::any_of(in.cloths.begin(), in.cloths.end(), [](auto* c) { return !c->moved; });
@@ -105,6 +109,8 @@ class ArenaOf final : public Arena {
     if (status == Status::ok) status = pins_.upload(in, input, layout_, memory_);
     if (status == Status::ok) status = upload_forces(in);
     if (status != Status::ok) return status;
+    if (before_.data) status = remember_positions();
+    if (status != Status::ok) return status;
     Frame<T> frame = make_frame(in, input);
     frame.by_block = colliders_.by_block();
     status = backend_.frame(frame);
@@ -115,19 +121,19 @@ class ArenaOf final : public Arena {
     return status == Status::ok ? read_survey(in) : status;
   }
 
-  Status normals(const ArenaInput& in, int threads) override {
+  Status normals(const ArenaInput& in, Workers workers) override {
     unsettle(in);
     Frame<T> frame{};
     frame.sim = sim_;
-    frame.threads = threads;
+    frame.workers = workers;
     frame.position_form = position_form_;
     return backend_.normals(frame);
   }
 
-  Status accelerations(const ArenaInput& in, double dt_before, int threads) override {
+  Status accelerations(const ArenaInput& in, double dt_before, Workers workers) override {
     Frame<T> frame{};
     frame.sim = sim_;
-    frame.threads = threads;
+    frame.workers = workers;
     frame.substeps = 1;
     frame.position_form = position_form_;
     frame.dt = frame.dt_before = dt_before;
@@ -159,10 +165,42 @@ class ArenaOf final : public Arena {
     return Status::ok;
   }
 
+  Status write(const ClothRecord& cloth, const VertexTarget& target, Workers workers) override {
+    const scene::CookedFabric& fabric = cloth.cooked();
+    if (fabric.vertices == 0) return Status::ok;
+    VertexJob<T> job{};
+    job.vertices = static_cast<int>(fabric.vertices);
+    job.storage = fabric.is_grid ? nullptr : fabric.storage_of.data();
+    job.alpha = static_cast<T>(before_.data ? target.alpha : 1);
+    job.shift = {target.shift.x, target.shift.y, target.shift.z};
+    job.last = target.last;
+    job.out_position = target.position;
+    job.out_normal = target.normal;
+    job.out_last = target.last_position;
+    std::vector<T> mirrors[3];
+    Status status = on_host(sim_.x[0], cloth, mirrors[0], job.now);
+    if (status == Status::ok && job.alpha != T(1)) {
+      status = on_host(before_, cloth, mirrors[1], job.before);
+    }
+    if (status == Status::ok && target.normal.format != VertexFormat::none) {
+      status = on_host(sim_.x[1], cloth, mirrors[2], job.normal);
+    }
+    return status == Status::ok ? context_.host().write_vertices(job, workers) : status;
+  }
+
   Status save(const ArenaInput& in) override {
     std::vector<Vec3<T>> values;
     for (ClothRecord* cloth : in.cloths) {
       if (!cloth->moved) continue;
+      if (before_.data) {
+        const size_t vertices = cloth->cooked().vertices;
+        const Status status = fetch(before_, cloth->first, vertices, values);
+        if (status != Status::ok) return status;
+        cloth->saved_before.assign(vertices, {0, 0, 0});
+        for (size_t i = 0; i < vertices; ++i) {
+          cloth->saved_before[i] = {values[i].x, values[i].y, values[i].z};
+        }
+      }
       for (const bool position : {true, false}) {
         const Vec3Array<T> from = position ? sim_.x[0] : position_form_ ? sim_.x[2] : sim_.d[0];
         const Status status = fetch(from, cloth->first, cloth->cooked().vertices, values);
@@ -215,7 +253,7 @@ class ArenaOf final : public Arena {
     frame.dt_before = input.dt_before;
     frame.gravity = narrow<T>(in.world->gravity);
     frame.wind = wind_of(in);
-    frame.threads = input.threads;
+    frame.workers = input.workers;
     return frame;
   }
 
@@ -236,6 +274,44 @@ class ArenaOf final : public Arena {
                                            found_.size() * sizeof(Survey<T>));
     if (status == Status::ok) take_survey(in, found_);
     return status;
+  }
+
+  /// The positions before a frame, for outputs that lie between it and the next.
+  Status remember_positions() {
+    const auto elements = static_cast<size_t>(sim_.blocks) * block_size;
+    if (step() > 1) {
+      return backend_.copy(before_.data, sim_.x[0].data,
+                           elements * static_cast<size_t>(step()) * sizeof(T));
+    }
+    Status status = Status::ok;
+    for (size_t c = 0; c < 3 && status == Status::ok; ++c) {
+      status = backend_.copy(before_.data + c * before_.pitch, sim_.x[0].data + c * sim_.x[0].pitch,
+                             elements * sizeof(T));
+    }
+    return status;
+  }
+
+  /// An array of vectors from the cloth's first element on, where the host can read it.
+  Status on_host(const Vec3Array<T>& from, const ClothRecord& cloth, std::vector<T>& mirror,
+                 Vec3Array<T>& out) {
+    if (backend_.info().host_memory) {
+      out = {from.data + int64_t(cloth.first) * step(), from.pitch};
+      return Status::ok;
+    }
+    std::vector<Vec3<T>> values;
+    const size_t count = cloth.cooked().vertices;
+    const Status status = fetch(from, cloth.first, count, values);
+    if (status != Status::ok) return status;
+    const auto host_step = static_cast<size_t>(context_.host().info().particle_step);
+    const size_t pitch = host_step > 1 ? 1 : count;
+    mirror.resize(host_step > 1 ? count * host_step : 3 * count);
+    for (size_t i = 0; i < count; ++i) {
+      mirror[i * host_step] = values[i].x;
+      mirror[i * host_step + pitch] = values[i].y;
+      mirror[i * host_step + 2 * pitch] = values[i].z;
+    }
+    out = {mirror.data(), pitch};
+    return Status::ok;
   }
 
   /// Forces that have changed, into room that is there already.
@@ -308,6 +384,7 @@ class ArenaOf final : public Arena {
   plan::Layout layout_;
   char* memory_ = nullptr;
   Simulation<T> sim_{};
+  Vec3Array<T> before_{nullptr, 0};  ///< null: this world does not interpolate
   bool position_form_ = false;
 
   std::vector<ClothParams<T>> params_;

@@ -10,6 +10,8 @@
 #include "api/context_state.h"
 #include "plan/layout.h"
 #include "plan/plan.h"
+#include "state/vertices.h"
+#include "step/workers.h"
 
 namespace weft::api {
 
@@ -31,26 +33,36 @@ struct FrameInput {
   int substeps;
   double dt, dt_before;  ///< s, of a substep
   double time;           ///< s, at the start of the frame
-  int threads;
+  Workers workers;
 };
 
 enum class StateArray : uint8_t { position, displacement, acceleration, normal };
+
+/// Where the vertices of a cloth go, and how.
+struct VertexTarget {
+  double alpha;
+  double3 shift;  ///< m, from the cloth's local frame to the buffer's
+  Vec3<float>* last;
+  VertexAttribute position, normal, last_position;
+};
 
 class Arena {
  public:
   virtual ~Arena() = default;
   /// Fills and uploads; runs the start pass of cloths that have not moved, and surveys. `time`: of
   /// the world.
-  virtual Status build(const ArenaInput&, double dt_before, double time, int threads) = 0;
+  virtual Status build(const ArenaInput&, double dt_before, double time, Workers) = 0;
   /// Copies the state of every moved cloth to its record.
   virtual Status save(const ArenaInput&) = 0;
   /// Advances and surveys: the records learn where their cloths are.
   virtual Status frame(const ArenaInput&, const FrameInput&) = 0;
-  virtual Status accelerations(const ArenaInput&, double dt_before, int threads) = 0;
-  virtual Status normals(const ArenaInput&, int threads) = 0;
+  virtual Status accelerations(const ArenaInput&, double dt_before, Workers) = 0;
+  virtual Status normals(const ArenaInput&, Workers) = 0;
   /// Of one cloth in caller order; positions are local. Accelerations and normals: after the call
   /// that makes them; both overwrite the other.
   virtual Status read(const ClothRecord&, StateArray, std::vector<double3>& out) = 0;
+  /// Writes vertices to host memory; normals after the call that makes them.
+  virtual Status write(const ClothRecord&, const VertexTarget&, Workers) = 0;
   virtual uint64_t bytes() const = 0;
 };
 

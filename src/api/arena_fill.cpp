@@ -69,6 +69,8 @@ class ImageFiller {
   void fill_state(const ClothRecord& cloth, double dt_before, double time) {
     const bool position_form = in_.world->form == Form::position;
     const VectorWriter<T> x = vectors(layout_.x[0]);
+    const bool kept = layout_.before.offset != plan::absent;
+    const VectorWriter<T> before = vectors(kept ? layout_.before : layout_.x[0]);
     const VectorWriter<T> d = vectors(position_form ? layout_.x[2] : layout_.d[0]);
     T* w = array<T>(layout_.inverse_mass);
     const uint32_t vertices = cloth.cooked().vertices;
@@ -78,12 +80,14 @@ class ImageFiller {
       if (cloth.moved) {
         x.set(i, narrow<T>(cloth.saved_x[size_t(i - cloth.first)]));
         d.set(i, narrow<T>(cloth.saved_d[size_t(i - cloth.first)]));
+        if (kept) before.set(i, narrow<T>(cloth.saved_before[size_t(i - cloth.first)]));
         continue;
       }
       const double3 at =
           plus(minus(start_position(cloth, v), cloth.origin), start_offset(cloth, v, time));
       const double3 by = start_displacement(cloth, v, dt_before, time);
       x.set(i, narrow<T>(at));
+      if (kept) before.set(i, narrow<T>(at));
       d.set(i, narrow<T>(position_form ? minus(at, by) : by));
     }
   }

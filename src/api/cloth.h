@@ -61,7 +61,9 @@ struct ClothRecord {
   int params = 0;        ///< its place among the cloth parameters
   int motion_first = 0;  ///< its first motion among the world's
   // State while the device memory is being remade: local, storage order, as the form keeps it.
-  std::vector<double3> saved_x, saved_d;
+  std::vector<double3> saved_x, saved_d, saved_before;
+  Bounds bounds{}, bounds_before{};  ///< what is told of the last step, and of the one before
+  bool told_asleep = false;
 
   bool bound_known = false;
   double bound_dt = 0;

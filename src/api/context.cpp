@@ -35,6 +35,17 @@ Result<Context> Context::create(const ContextDesc& desc, uint32_t abi) noexcept 
           "allocator has one function of two (memory could not be given back) give both or "
           "neither");
     }
+    if ((desc.jobs.workers == 0) != (desc.jobs.parallel_for == nullptr) ||
+        (desc.jobs.launch && !desc.jobs.parallel_for)) {
+      return refuse(Status::invalid_argument,
+                    "jobs needs both workers and parallel_for (launch is an extra) give both or "
+                    "neither");
+    }
+    if (desc.jobs.workers > 1024) {
+      return refuse(
+          Status::invalid_argument,
+          text("jobs.workers is %u (at most 1024) give a smaller number", desc.jobs.workers));
+    }
     scene::check_choice(int(desc.backend), 4, "backend", "automatic, omp, cuda, hip");
     scene::check_choice(int(desc.isa), 4, "isa", "automatic, v2, v3, v4");
     if (desc.threads > 1024) {
@@ -45,9 +56,17 @@ Result<Context> Context::create(const ContextDesc& desc, uint32_t abi) noexcept 
     api::BackendChoice choice = api::choose_backend(desc.backend, desc.isa);
     if (!choice.backend) return refuse(Status::no_device, choice.refusal);
     state->backend = choice.backend;
+    if (!choice.backend->info().host_memory) {
+      state->host_backend = api::choose_backend(BackendKind::omp, Isa::automatic).backend;
+      if (!state->host_backend) {
+        return refuse(Status::no_device,
+                      "no host back end fits this processor (outputs need one) build weft for it");
+      }
+    }
     state->fallback = choice.fallback;
-    state->threads =
-        desc.threads > 0 ? desc.threads : std::max(1u, std::thread::hardware_concurrency());
+    state->threads = desc.jobs.parallel_for ? desc.jobs.workers
+                     : desc.threads > 0     ? desc.threads
+                                            : std::max(1u, std::thread::hardware_concurrency());
     if (!choice.fallback.empty()) state->say(Severity::info, choice.fallback);
     return Context(new Impl{std::move(state)});
   } catch (const InvalidInput& problem) {

@@ -16,7 +16,14 @@ namespace weft {
 namespace api {
 
 struct ContextState {
-  explicit ContextState(const ContextDesc& desc) : memory(desc.allocator), log(desc.log) {}
+  explicit ContextState(const ContextDesc& desc)
+      : memory(desc.allocator), log(desc.log), jobs(desc.jobs) {}
+
+  Workers workers() const noexcept {
+    return {static_cast<int>(threads), jobs.parallel_for ? &jobs : nullptr};
+  }
+  /// The back end that can write to the host's memory.
+  const Backend& host() const noexcept { return host_backend ? *host_backend : *backend; }
 
   void say(Severity severity, const std::string& message) noexcept {
     if (log.message) log.message(log.user, severity, message.c_str());
@@ -28,7 +35,9 @@ struct ContextState {
 
   ContextMemory memory;
   Log log;
+  Jobs jobs;
   const Backend* backend = nullptr;
+  const Backend* host_backend = nullptr;  ///< null: `backend` is the host's
   uint32_t threads = 1;
   std::string fallback;
 };

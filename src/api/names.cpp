@@ -26,6 +26,10 @@ const char* to_string(Status status) noexcept {
       return "unstable_step";
     case Status::diverged:
       return "diverged";
+    case Status::wrong_thread:
+      return "wrong_thread";
+    case Status::in_flight:
+      return "in_flight";
   }
   return "unknown";
 }
@@ -54,6 +58,12 @@ const char* to_string(EventType type) noexcept {
       return "non_finite";
     case EventType::backend_fallback:
       return "backend_fallback";
+    case EventType::slept:
+      return "slept";
+    case EventType::woke:
+      return "woke";
+    case EventType::time_dropped:
+      return "time_dropped";
   }
   return "unknown";
 }

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "api/vector_math.h"
+#include "api/entry.h"
 #include "api/world_state.h"
 #include "scene/check.h"
 
@@ -17,6 +18,14 @@ void check_world(const WorldDesc& desc) {
   scene::check_choice(int(desc.precision), 2, "precision", "float32, float64");
   scene::check_choice(int(desc.form), 2, "form", "summed, position");
   scene::check_choice(int(desc.start), 2, "start", "taylor, lagged");
+  if (!std::isfinite(desc.fixed_dt) || !(desc.fixed_dt > 0)) {
+    throw InvalidInput(
+        text("fixed_dt is %g (it is the step of advance) give seconds above 0", desc.fixed_dt));
+  }
+  if (desc.max_steps_per_advance == 0) {
+    throw InvalidInput(
+        "max_steps_per_advance is 0 (time would never pass) give the most steps of a frame");
+  }
   if (!(desc.safety > 0) || desc.safety > 1) {
     throw InvalidInput(
         text("safety is %g (a step is safe at a fraction of the bound) give a value in "
@@ -39,6 +48,9 @@ World::Impl::Impl(std::shared_ptr<api::ContextState> owner, const WorldDesc& wor
     : context(std::move(owner)),
       desc(world_desc),
       serial(next_serial()),
+      cloth_ids(serial),
+      collider_ids(serial),
+      output_ids(serial),
       arena(api::make_arena(desc.precision, *context)) {
   events.reserve(16);
 }
@@ -61,15 +73,6 @@ Status World::Impl::stale(const char* what, uint32_t index) noexcept {
            what, index));
 }
 
-ClothId World::Impl::next_cloth_id() {
-  for (uint32_t slot = 0; slot < cloths.size(); ++slot) {
-    if (!cloths[slot]) return {slot, ++generations[slot]};
-  }
-  cloths.emplace_back();
-  generations.push_back((serial << 16) + 1);
-  return {static_cast<uint32_t>(cloths.size() - 1), generations.back()};
-}
-
 World::World(World&& other) noexcept : impl_(other.impl_) { other.impl_ = nullptr; }
 World& World::operator=(World&& other) noexcept {
   std::swap(impl_, other.impl_);
@@ -78,13 +81,17 @@ World& World::operator=(World&& other) noexcept {
 World::~World() { delete impl_; }
 
 Result<ClothId> World::create_cloth(const ClothDesc& cloth_desc) noexcept {
-  if (!impl_) return Status::invalid_handle;
+  const api::Entry entry(impl_);
+  if (!entry) return entry.status();
   ClothId id;
   const Status status = api::guarded(*impl_->context, [&] {
     auto record = std::make_unique<api::ClothRecord>(&impl_->context->memory);
     fill_record(cloth_desc, *record);
-    impl_->order.reserve(impl_->order.size() + 1);
-    id = impl_->next_cloth_id();
+    impl_->start_bounds_of(*record);
+    if (impl_->order.size() == impl_->order.capacity()) {
+      impl_->order.reserve(2 * impl_->order.size() + 8);
+    }
+    id = impl_->cloth_ids.take(impl_->cloths);
     record->id = id;
     if (impl_->wind) impl_->say_if_windless(*record);
     impl_->cloths[id.index] = std::move(record);
@@ -97,7 +104,8 @@ Result<ClothId> World::create_cloth(const ClothDesc& cloth_desc) noexcept {
 }
 
 Status World::destroy_cloth(ClothId id) noexcept {
-  if (!impl_) return Status::invalid_handle;
+  const api::Entry entry(impl_);
+  if (!entry) return entry.status();
   if (!impl_->find(id)) return impl_->stale("cloth", id.index);
   return api::guarded(*impl_->context, [&] {
     // The others' state must come to the host while the arena still matches its records.
@@ -109,6 +117,12 @@ Status World::destroy_cloth(ClothId id) noexcept {
     impl_->built.reset();
     impl_->order.erase(std::find(impl_->order.begin(), impl_->order.end(), id));
     impl_->cloths[id.index].reset();
+    impl_->cloth_ids.give_back(id.index);
+    for (api::OutputRecord& output : impl_->outputs) {
+      if (!output.id || output.cloth != id) continue;
+      impl_->output_ids.give_back(output.id.index);
+      output = {};
+    }
     return Status::ok;
   });
 }
@@ -118,21 +132,16 @@ bool World::valid(ClothId id) const noexcept { return impl_ && impl_->find(id) !
 /// Checks a description and takes it up; a world keeps its colliders in slots.
 template <class Desc>
 static Result<ColliderId> add_collider(World::Impl* impl, const Desc& desc) {
-  if (!impl) return Status::invalid_handle;
+  const api::Entry entry(impl);
+  if (!entry) return entry.status();
   ColliderId id;
   const Status status = api::guarded(*impl->context, [&] {
     api::ColliderRecord record = api::record_of(desc);
     record.since = impl->time;
     impl->wake_touched(record, 0);
-    size_t slot = 0;
-    while (slot < impl->colliders.size() && impl->colliders[slot].id) ++slot;
-    if (slot == impl->colliders.size()) {
-      impl->colliders.emplace_back();
-      impl->collider_generations.push_back(impl->serial << 16);
-    }
-    id = {static_cast<uint32_t>(slot), ++impl->collider_generations[slot]};
+    id = impl->collider_ids.take(impl->colliders);
     record.id = id;
-    impl->colliders[slot] = record;
+    impl->colliders[id.index] = record;
     impl->dirty = true;
     return Status::ok;
   });
@@ -159,12 +168,14 @@ Result<ColliderId> World::create_mesh(const MeshColliderDesc& d) noexcept {
 }
 
 Status World::destroy_collider(ColliderId id) noexcept {
-  if (!impl_) return Status::invalid_handle;
+  const api::Entry entry(impl_);
+  if (!entry) return entry.status();
   api::ColliderRecord* collider = impl_->find(id);
   if (!collider) return impl_->stale("collider", id.index);
   return api::guarded(*impl_->context, [&] {
     impl_->wake_touched(*collider, 0);
     *collider = {};
+    impl_->collider_ids.give_back(id.index);
     impl_->dirty = true;
     return Status::ok;
   });
@@ -189,7 +200,8 @@ static void check_vertices(const api::ClothRecord& cloth, View<uint32_t> vertice
 }
 
 Status World::move_pins(ClothId id, View<uint32_t> vertices, PointView targets) noexcept {
-  if (!impl_) return Status::invalid_handle;
+  const api::Entry entry(impl_);
+  if (!entry) return entry.status();
   api::ClothRecord* cloth = impl_->find(id);
   if (!cloth) return impl_->stale("cloth", id.index);
   return api::guarded(*impl_->context, [&] {
@@ -232,7 +244,8 @@ Status World::move_pins(ClothId id, View<uint32_t> vertices, PointView targets) 
 }
 
 Status World::release_pins(ClothId id, View<uint32_t> vertices) noexcept {
-  if (!impl_) return Status::invalid_handle;
+  const api::Entry entry(impl_);
+  if (!entry) return entry.status();
   api::ClothRecord* cloth = impl_->find(id);
   if (!cloth) return impl_->stale("cloth", id.index);
   return api::guarded(*impl_->context, [&] {

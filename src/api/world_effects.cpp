@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "api/vector_math.h"
+#include "api/entry.h"
 #include "api/world_state.h"
 #include "scene/check.h"
 
@@ -34,7 +35,8 @@ void World::Impl::wake_by_colliders(double dt) {
 }
 
 Status World::set_gravity(double3 gravity) noexcept {
-  if (!impl_) return Status::invalid_handle;
+  const api::Entry entry(impl_);
+  if (!entry) return entry.status();
   return api::guarded(*impl_->context, [&] {
     api::checked_vector(gravity, "gravity");
     if (api::same(gravity, impl_->desc.gravity)) return Status::ok;
@@ -47,7 +49,8 @@ Status World::set_gravity(double3 gravity) noexcept {
 }
 
 Status World::set_forces(ClothId id, View<VertexForce> forces) noexcept {
-  if (!impl_) return Status::invalid_handle;
+  const api::Entry entry(impl_);
+  if (!entry) return entry.status();
   api::ClothRecord* cloth = impl_->find(id);
   if (!cloth) return impl_->stale("cloth", id.index);
   return api::guarded(*impl_->context, [&] {
@@ -64,7 +67,8 @@ Status World::set_forces(ClothId id, View<VertexForce> forces) noexcept {
 }
 
 Status World::set_wind(const WindDesc& wind) noexcept {
-  if (!impl_) return Status::invalid_handle;
+  const api::Entry entry(impl_);
+  if (!entry) return entry.status();
   return api::guarded(*impl_->context, [&] {
     api::checked_vector(wind.velocity, "wind.velocity");
     scene::check_not_negative(wind.air_density, "wind.air_density");
@@ -85,7 +89,8 @@ Status World::set_wind(const WindDesc& wind) noexcept {
 }
 
 Status World::clear_wind() noexcept {
-  if (!impl_) return Status::invalid_handle;
+  const api::Entry entry(impl_);
+  if (!entry) return entry.status();
   if (!impl_->wind) return Status::ok;
   return api::guarded(*impl_->context, [&] {
     impl_->wind.reset();
@@ -107,7 +112,8 @@ void World::Impl::say_if_windless(const api::ClothRecord& cloth) {
 }
 
 Status World::move_collider(ColliderId id, const Pose& pose, Move how) noexcept {
-  if (!impl_) return Status::invalid_handle;
+  const api::Entry entry(impl_);
+  if (!entry) return entry.status();
   api::ColliderRecord* c = impl_->find(id);
   if (!c) return impl_->stale("collider", id.index);
   return api::guarded(*impl_->context, [&] {
@@ -133,7 +139,8 @@ Status World::move_collider(ColliderId id, const Pose& pose, Move how) noexcept 
 }
 
 Status World::wake(ClothId id) noexcept {
-  if (!impl_) return Status::invalid_handle;
+  const api::Entry entry(impl_);
+  if (!entry) return entry.status();
   api::ClothRecord* cloth = impl_->find(id);
   if (!cloth) return impl_->stale("cloth", id.index);
   api::wake(*cloth);
@@ -141,7 +148,8 @@ Status World::wake(ClothId id) noexcept {
 }
 
 Result<bool> World::asleep(ClothId id) noexcept {
-  if (!impl_) return Status::invalid_handle;
+  const api::Entry entry(impl_);
+  if (!entry) return entry.status();
   const api::ClothRecord* cloth = impl_->find(id);
   if (!cloth) return impl_->stale("cloth", id.index);
   return cloth->asleep;

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "api/arena_fill.h"
+#include "api/entry.h"
 #include "api/world_state.h"
 #include "scene/energy.h"
 
@@ -16,32 +17,39 @@ Status World::Impl::ensure_readable() {
   return ensure_built(dt, std::max(1u, built_substeps));
 }
 
-/// Accelerations and normals are made when they are asked for, for all cloths at once.
-static Status make_result(World::Impl* impl, api::StateArray which) {
-  using Result = World::Impl::Result;
+Status World::Impl::make_result(api::StateArray which) {
   const Result wanted = which == api::StateArray::acceleration ? Result::accelerations
                         : which == api::StateArray::normal     ? Result::normals
                                                                : Result::none;
-  if (wanted == Result::none || wanted == impl->result) return Status::ok;
-  const int threads = static_cast<int>(impl->context->threads);
-  const double dt = impl->dt_before > 0 ? impl->dt_before : impl->built_dt;
+  if (wanted == Result::none || wanted == result) return Status::ok;
+  const double dt = dt_before > 0 ? dt_before : built_dt;
   const Status status = wanted == Result::normals
-                            ? impl->arena->normals(*impl->built, threads)
-                            : impl->arena->accelerations(*impl->built, dt, threads);
-  impl->result = status == Status::ok ? wanted : Result::none;
+                            ? arena->normals(*built, context->workers())
+                            : arena->accelerations(*built, dt, context->workers());
+  result = status == Status::ok ? wanted : Result::none;
   return status;
+}
+
+void World::Impl::want_normals() {
+  if (normals_wanted) return;
+  normals_wanted = true;
+  for (const ClothId id : order) {
+    const scene::CookedFabric& fabric = find(id)->cooked();
+    dirty |= !fabric.is_grid && !fabric.triangles.empty() && !wind;
+  }
 }
 
 /// Reads one cloth and hands every vertex's value to `use`.
 template <class Use>
 static Status read_cloth(World::Impl* impl, ClothId id, api::StateArray which, Use use) {
-  if (!impl) return Status::invalid_handle;
+  const api::Entry entry(impl);
+  if (!entry) return entry.status();
   api::ClothRecord* cloth = impl->find(id);
   if (!cloth) return impl->stale("cloth", id.index);
   return api::guarded(*impl->context, [&] {
     std::vector<double3> values;
     Status status = impl->ensure_readable();
-    if (status == Status::ok) status = make_result(impl, which);
+    if (status == Status::ok) status = impl->make_result(which);
     if (status == Status::ok && cloth->cooked().vertices > 0) {
       status = impl->arena->read(*cloth, which, values);
     }
@@ -55,7 +63,8 @@ static Status read_cloth(World::Impl* impl, ClothId id, api::StateArray which, U
 template <class Point>
 static Status read_points(World::Impl* impl, ClothId id, api::StateArray which, const char* what,
                           Point* out, uint32_t stride) {
-  if (!impl) return Status::invalid_handle;
+  const api::Entry entry(impl);
+  if (!entry) return entry.status();
   if (const api::ClothRecord* cloth = impl->find(id);
       cloth && cloth->cooked().vertices > 0 && (!out || stride < sizeof(Point))) {
     return impl->context->fail(
@@ -82,16 +91,11 @@ Status World::read_positions(ClothId id, float3* out, uint32_t stride) noexcept 
   return read_points(impl_, id, api::StateArray::position, "positions", out, stride);
 }
 
-/// The triangles of meshes go to the device when their normals are first asked for.
 template <class Point>
 static Status read_normals(World::Impl* impl, ClothId id, Point* out, uint32_t stride) {
-  if (impl && impl->find(id) && !impl->normals_wanted) {
-    impl->normals_wanted = true;
-    for (const ClothId other : impl->order) {
-      const scene::CookedFabric& fabric = impl->find(other)->cooked();
-      impl->dirty |= !fabric.is_grid && !fabric.triangles.empty() && !impl->wind;
-    }
-  }
+  const api::Entry entry(impl);
+  if (!entry) return entry.status();
+  if (impl->find(id)) impl->want_normals();
   return read_points(impl, id, api::StateArray::normal, "normals", out, stride);
 }
 Status World::read_normals(ClothId id, double3* out, uint32_t stride) noexcept {
@@ -102,7 +106,9 @@ Status World::read_normals(ClothId id, float3* out, uint32_t stride) noexcept {
 }
 
 Status World::read_accelerations(ClothId id, double3* out) noexcept {
-  if (impl_ && impl_->find(id) && !out) {
+  const api::Entry entry(impl_);
+  if (!entry) return entry.status();
+  if (impl_->find(id) && !out) {
     return impl_->context->fail(
         Status::invalid_argument,
         "accelerations into a null pointer (there is no room) give a buffer");
@@ -113,7 +119,9 @@ Status World::read_accelerations(ClothId id, double3* out) noexcept {
 
 /// v = d/dt + a dt/2 with every force of the scheme: lagged drag acts on d/dt, central drag on v.
 Status World::read_velocities(ClothId id, double3* out) noexcept {
-  if (impl_ && impl_->find(id) && !out) {
+  const api::Entry entry(impl_);
+  if (!entry) return entry.status();
+  if (impl_->find(id) && !out) {
     return impl_->context->fail(Status::invalid_argument,
                                 "velocities into a null pointer (there is no room) give a buffer");
   }
@@ -144,7 +152,8 @@ Status World::read_velocities(ClothId id, double3* out) noexcept {
 }
 
 Result<Mechanics> World::mechanics() noexcept {
-  if (!impl_) return Status::invalid_handle;
+  const api::Entry entry(impl_);
+  if (!entry) return entry.status();
   Mechanics sum{0, 0, 0, {0, 0, 0}};
   for (const ClothId id : impl_->order) {
     const api::ClothRecord& cloth = *impl_->find(id);
@@ -190,7 +199,8 @@ class Fnv1a {
 }  // namespace
 
 Result<uint64_t> World::state_hash() noexcept {
-  if (!impl_) return Status::invalid_handle;
+  const api::Entry entry(impl_);
+  if (!entry) return entry.status();
   Fnv1a hash;
   const bool wide = impl_->desc.precision == Precision::float64;
   for (const ClothId id : impl_->order) {
@@ -213,7 +223,8 @@ Result<uint64_t> World::state_hash() noexcept {
 
 Stability World::stability() noexcept {
   Stability none{INFINITY, {}, 0, 0};
-  if (!impl_) return none;
+  const api::Entry entry(impl_);
+  if (!entry) return none;
   Stability found = none;
   const Status status = api::guarded(*impl_->context, [&] {
     found = impl_->tightest();
@@ -223,7 +234,8 @@ Stability World::stability() noexcept {
 }
 
 Result<Stability> World::stability(ClothId id) noexcept {
-  if (!impl_) return Status::invalid_handle;
+  const api::Entry entry(impl_);
+  if (!entry) return entry.status();
   api::ClothRecord* cloth = impl_->find(id);
   if (!cloth) return impl_->stale("cloth", id.index);
   const Status status = api::guarded(*impl_->context, [&] {
@@ -235,7 +247,8 @@ Result<Stability> World::stability(ClothId id) noexcept {
 }
 
 Result<PlanInfo> World::plan() noexcept {
-  if (!impl_) return Status::invalid_handle;
+  const api::Entry entry(impl_);
+  if (!entry) return entry.status();
   PlanInfo info{};
   const Status status = api::guarded(*impl_->context, [&] {
     const api::ArenaInput in =
@@ -271,6 +284,7 @@ Stats World::stats() const noexcept {
   s.dt_last = impl_->dt_before;
   s.dt_least = impl_->dt_least;
   s.step_seconds = impl_->step_seconds;
+  s.time_dropped = impl_->time_dropped;
   s.threads = impl_->threads_last;
   s.phases = {impl_->phases, api::phase_count};
   s.bytes_state = impl_->built ? impl_->arena->bytes() : 0;

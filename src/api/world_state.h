@@ -1,10 +1,14 @@
 // A world: records of its cloths and colliders, its time, and the arena that holds its state.
 #pragma once
 
+#include <atomic>
 #include <optional>
 
 #include "api/arena.h"
 #include "api/context_state.h"
+#include "api/outputs.h"
+#include "api/runner.h"
+#include "api/slots.h"
 
 namespace weft {
 namespace api {
@@ -18,6 +22,17 @@ struct EventRecord {
 };
 
 /// Names of PhaseTime, in order.
+/// A step between its begin and its end. The thread that makes it touches nothing of the world but
+/// this and the arena.
+struct Flight {
+  bool active = false;  ///< between begin_step and end_step
+  double dt = 0;        ///< s, of the whole step
+  uint32_t substeps = 0;
+  Status outcome = Status::ok;
+  double seconds = 0;            ///< how long the arena worked
+  std::atomic<bool> done{true};  ///< set by the thread that made the step
+};
+
 enum Phase { phase_prepare, phase_inputs_and_advance, phase_check, phase_count };
 
 }  // namespace api
@@ -30,15 +45,29 @@ struct __attribute__((visibility("hidden"))) World::Impl {
 
   api::ClothRecord* find(ClothId) noexcept;
   api::ColliderRecord* find(ColliderId) noexcept;
+  api::OutputRecord* find(OutputId) noexcept;
   Status stale(const char* what, uint32_t index) noexcept;
-  ClothId next_cloth_id();
 
   /// The cloths in arena order with their shape; `substeps` of a frame at most.
   api::ArenaInput arena_input(uint32_t substeps);
   /// Makes the arena anew where inputs have changed its shape. `dt`: of the substep to come.
   Status ensure_built(double dt, uint32_t substeps);
   Status ensure_readable();
+  /// Accelerations and normals are made when they are asked for, for all cloths at once.
+  Status make_result(api::StateArray);
+  /// Triangles of meshes go to the device when their normals are first asked for.
+  void want_normals();
+  /// A step in three parts: what the world does before the arena works, the arena's work, which may
+  /// be another thread's, and what the world does after it.
+  Status begin(double dt, uint32_t substeps);
+  void fly() noexcept;
+  Status land();
   Status run(double dt, uint32_t substeps);
+  void start_flight();
+  void wait_for_flight() noexcept;
+  void tell_who_sleeps(api::ClothRecord&);
+  void start_bounds_of(api::ClothRecord&) const;
+  void publish_bounds(api::ClothRecord&) const;
   Status report_not_finite();
   /// What a collider can touch between now and the end of a step of `dt` wakes up, if it moves.
   void wake_touched(const api::ColliderRecord&, double dt);
@@ -54,12 +83,13 @@ struct __attribute__((visibility("hidden"))) World::Impl {
   std::shared_ptr<api::ContextState> context;
   WorldDesc desc;
   std::vector<std::unique_ptr<api::ClothRecord>> cloths;  ///< by slot; null: free
-  uint32_t
-      serial;  ///< in the upper half of every generation: ids of other worlds name nothing here
-  std::vector<uint32_t> generations;           ///< of the cloth slots
+  uint32_t serial;  ///< in every id: ids of other worlds name nothing here
+  api::Slots<ClothId> cloth_ids;
   std::vector<ClothId> order;                  ///< by creation
   std::vector<api::ColliderRecord> colliders;  ///< by slot; null id: free
-  std::vector<uint32_t> collider_generations;
+  api::Slots<ColliderId> collider_ids;
+  std::vector<api::OutputRecord> outputs;  ///< by slot; null id: free
+  api::Slots<OutputId> output_ids;
   std::optional<WindDesc> wind;
   bool normals_wanted = false;  ///< of meshes, whose triangles then lie on the device
 
@@ -73,6 +103,9 @@ struct __attribute__((visibility("hidden"))) World::Impl {
   uint32_t built_substeps = 0;
   bool lost = false;  ///< diverged, or the device failed
 
+  std::atomic<const void*> inside{nullptr};  ///< the thread that is inside (api/entry.h)
+  api::Flight flight;
+
   double time = 0, time_base = 0;  ///< time = base + frames of one length
   double frame_dt = 0;
   uint64_t frames_of_dt = 0;
@@ -81,12 +114,15 @@ struct __attribute__((visibility("hidden"))) World::Impl {
   uint64_t frames = 0, steps = 0;
   uint32_t substeps_most = 0, substeps_last = 0, threads_last = 1;
   double dt_least = 0, step_seconds = 0;
+  double time_owed = 0, time_dropped = 0;  ///< s, of advance()
   PhaseTime phases[api::phase_count] = {{"prepare", 0}, {"advance", 0}, {"check", 0}};
 
   std::vector<api::EventRecord> event_records;
   std::vector<Event> events;
   plan::Plan plan;
   std::vector<PassInfo> passes;
+
+  api::Runner runner;  ///< last: it must have ended before anything else goes
 };
 
 }  // namespace v0

@@ -5,6 +5,7 @@
 
 #include "api/collider_mesh_arrays.h"
 #include "api/vector_math.h"
+#include "api/entry.h"
 #include "api/world_state.h"
 #include "scene/fan.h"
 #include "scene/stability.h"
@@ -81,6 +82,7 @@ api::ArenaInput World::Impl::arena_input(uint32_t substeps) {
   }
   in.shape.wind = wind.has_value();
   in.shape.normals = normals_wanted;
+  in.shape.interpolate = desc.interpolate;
   for (const api::ColliderRecord& c : colliders) {
     if (!c.id) continue;
     ++in.shape.colliders[static_cast<int>(c.shape)];
@@ -108,12 +110,13 @@ Status World::Impl::ensure_built(double dt, uint32_t substeps) {
   result = Result::none;
   api::ArenaInput in = arena_input(substeps);
   const double before = dt_before > 0 ? dt_before : dt;
-  const Status status = arena->build(in, before, time, static_cast<int>(context->threads));
+  const Status status = arena->build(in, before, time, context->workers());
   if (status != Status::ok) return status;
   starting = false;
   for (api::ClothRecord* cloth : in.cloths) {
     cloth->saved_x = {};
     cloth->saved_d = {};
+    cloth->saved_before = {};
     starting |= !cloth->moved;
   }
   built = std::move(in);
@@ -166,7 +169,8 @@ std::string World::Impl::bound_text(const Stability& bound, double dt, uint32_t 
 }
 
 Result<uint32_t> World::substeps(double dt) noexcept {
-  if (!impl_) return Status::invalid_handle;
+  const api::Entry entry(impl_);
+  if (!entry) return entry.status();
   uint32_t count = 0;
   const Status status = api::guarded(*impl_->context, [&] {
     if (!std::isfinite(dt) || dt < 0 || std::fpclassify(dt) == FP_SUBNORMAL) {
@@ -197,6 +201,8 @@ Result<uint32_t> World::substeps(double dt) noexcept {
 }
 
 Status World::prepare(double dt) noexcept {
+  const api::Entry entry(impl_);
+  if (!entry) return entry.status();
   Result<uint32_t> n = substeps(dt);
   if (!n) return n.status();
   if (dt == 0) return Status::ok;
@@ -226,29 +232,50 @@ Status World::Impl::report_not_finite() {
   return Status::diverged;
 }
 
-Status World::Impl::run(double dt, uint32_t substeps) {
+Status World::Impl::begin(double dt, uint32_t substeps) {
   events.clear();
   event_records.clear();
   if (lost) {
     return context->fail(Status::diverged,
                          "the world has diverged (it cannot go on) destroy it and begin anew");
   }
-  Status status = ensure_built(dt / substeps, substeps);
+  const Status status = ensure_built(dt / substeps, substeps);
   if (status != Status::ok) return status;
   wake_by_colliders(dt);
-  const double sub_dt = dt / substeps;
   result = Result::none;
-  const int threads = static_cast<int>(context->threads);
-  {
-    Stopwatch watch(phases[api::phase_inputs_and_advance].seconds);
-    const double before = dt_before > 0 ? dt_before : sub_dt;
-    status = arena->frame(*built, {static_cast<int>(substeps), sub_dt, before, time, threads});
-    if (status != Status::ok) {
-      lost = true;
-      return context->fail(status,
-                           "the device failed during a step (its state is lost) destroy the "
-                           "world");
-    }
+  flight.dt = dt;
+  flight.substeps = substeps;
+  return Status::ok;
+}
+
+void World::Impl::fly() noexcept {
+  flight.seconds = 0;
+  const Stopwatch watch(flight.seconds);
+  const double sub_dt = flight.dt / flight.substeps;
+  const double before = dt_before > 0 ? dt_before : sub_dt;
+  try {
+    flight.outcome = arena->frame(
+        *built, {static_cast<int>(flight.substeps), sub_dt, before, time, context->workers()});
+  } catch (const std::bad_alloc&) {
+    flight.outcome = Status::out_of_memory;
+  }
+}
+
+void World::Impl::tell_who_sleeps(api::ClothRecord& cloth) {
+  if (cloth.asleep == cloth.told_asleep) return;
+  cloth.told_asleep = cloth.asleep;
+  events.push_back({cloth.asleep ? EventType::slept : EventType::woke, cloth.id, 0, time,
+                    cloth.asleep ? "the cloth has come to rest" : "the cloth moves again"});
+}
+
+Status World::Impl::land() {
+  phases[api::phase_inputs_and_advance].seconds += flight.seconds;
+  const double dt = flight.dt, sub_dt = dt / flight.substeps;
+  if (flight.outcome == Status::out_of_memory) throw std::bad_alloc();
+  if (flight.outcome != Status::ok) {
+    lost = true;
+    return context->fail(flight.outcome,
+                         "the device failed during a step (its state is lost) destroy the world");
   }
   if (dt != frame_dt) {
     time_base = time;
@@ -268,6 +295,8 @@ Status World::Impl::run(double dt, uint32_t substeps) {
       pin.gliding = false;
     }
     api::notice_rest(*cloth, dt, sub_dt);
+    tell_who_sleeps(*cloth);
+    publish_bounds(*cloth);
   }
   for (api::ColliderRecord& c : colliders) {
     if (!c.id || !c.gliding) continue;
@@ -277,9 +306,9 @@ Status World::Impl::run(double dt, uint32_t substeps) {
   }
   starting = false;
   ++frames;
-  steps += substeps;
-  substeps_last = substeps;
-  substeps_most = std::max(substeps_most, substeps);
+  steps += flight.substeps;
+  substeps_last = flight.substeps;
+  substeps_most = std::max(substeps_most, flight.substeps);
   dt_least = dt_least > 0 ? std::min(dt_least, sub_dt) : sub_dt;
   threads_last = context->threads;
 
@@ -290,7 +319,16 @@ Status World::Impl::run(double dt, uint32_t substeps) {
   return Status::ok;
 }
 
+Status World::Impl::run(double dt, uint32_t substeps) {
+  const Status status = begin(dt, substeps);
+  if (status != Status::ok) return status;
+  fly();
+  return land();
+}
+
 Status World::step(double dt) noexcept {
+  const api::Entry entry(impl_);
+  if (!entry) return entry.status();
   Result<uint32_t> n = substeps(dt);
   if (!n) return n.status();
   if (dt == 0) return Status::ok;

@@ -14,7 +14,7 @@ struct GpuDevice {
     return info;
   }
   // The default stream: copies wait for kernels and kernels for copies without a word.
-  static Exec exec(int, int) { return Exec(nullptr); }
+  static Exec exec(int, Workers) { return Exec(nullptr); }
   static Status finish() {
     const GpuError launch = WEFT_GPU(GetLastError)();
     return status_of(launch == gpu_success ? WEFT_GPU(StreamSynchronize)(nullptr) : launch);
@@ -33,10 +33,13 @@ struct GpuDevice {
   static Status to_host(void* host, const void* device, size_t bytes) {
     return copy_to_host(host, device, bytes);
   }
-  static Status exclusive_scan(const uint32_t* in, uint32_t* out, int count) {
+  static Status copy(void* to, const void* from, size_t bytes) {
+    return copy_on_device(to, from, bytes);
+  }
+  static Status exclusive_scan(const uint32_t* in, uint32_t* out, int count, Workers) {
     return sort_scan(in, out, count);
   }
-  static Status stable_sort_by_key(uint32_t* keys, uint32_t* values, int count) {
+  static Status stable_sort_by_key(uint32_t* keys, uint32_t* values, int count, Workers) {
     return sort_pairs(keys, values, count);
   }
 };

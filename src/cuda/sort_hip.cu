@@ -40,8 +40,7 @@ Status with_scratch(const Call& call) {
 // A sort may leave its result in the other buffer of the two.
 Status bring_home(uint32_t* home, const rocprim::double_buffer<uint32_t>& buffer, size_t bytes) {
   if (buffer.current() == home) return Status::ok;
-  return status_of(WEFT_GPU(Memcpy)(home, buffer.current(), bytes,
-                                    WEFT_GPU(MemcpyDeviceToDevice)));
+  return status_of(WEFT_GPU(Memcpy)(home, buffer.current(), bytes, WEFT_GPU(MemcpyDeviceToDevice)));
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ struct HostDevice {
                                   WEFT_PARTICLE_STEP, true};
     return info;
   }
-  static Exec exec(int blocks, int threads) { return Exec(Exec::useful_threads(blocks, threads)); }
+  static Exec exec(int blocks, Workers workers) { return Exec(blocks, workers); }
   static Status finish() { return Status::ok; }
 
   static void* allocate(const Allocator& host, size_t bytes) {
@@ -32,12 +32,15 @@ struct HostDevice {
   static Status to_host(void* host, const void* device, size_t bytes) {
     return copy_to_host(host, device, bytes);
   }
-  static Status exclusive_scan(const uint32_t* in, uint32_t* out, int count) {
-    omp::exclusive_scan(in, out, count);
+  static Status copy(void* to, const void* from, size_t bytes) {
+    return copy_to_host(to, from, bytes);
+  }
+  static Status exclusive_scan(const uint32_t* in, uint32_t* out, int count, Workers workers) {
+    omp::exclusive_scan(in, out, count, workers.jobs != nullptr);
     return Status::ok;
   }
-  static Status stable_sort_by_key(uint32_t* keys, uint32_t* values, int count) {
-    omp::stable_sort_by_key(keys, values, count);
+  static Status stable_sort_by_key(uint32_t* keys, uint32_t* values, int count, Workers workers) {
+    omp::stable_sort_by_key(keys, values, count, workers.jobs != nullptr);
     return Status::ok;
   }
 };

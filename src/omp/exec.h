@@ -9,6 +9,7 @@
 #include "base/atomic.h"
 #include "base/lanes.h"
 #include "step/exec_contract.h"
+#include "step/workers.h"
 
 namespace weft {
 namespace WEFT_BACKEND_NS {
@@ -35,21 +36,29 @@ class Barrier {
   alignas(64) int round_ = 0;
 };
 
-/// What one thread of a region sees.
+/// The blocks [begin, end) of a kernel: what a thread of either kind runs.
+template <class Kernel>
+__attribute__((noinline)) void run_range(const Kernel& shared, int begin, int end) {
+  const Kernel kernel = shared;  // a copy of this thread's own: nothing can alias its members
+  for (int block = begin; block < end; ++block) kernel(block, 0, Lanes<block_size>{});
+}
+
+/// What one thread of a region sees; where the caller brings jobs, its own thread.
 class Team {
  public:
   static constexpr bool fuses = WEFT_FUSE_PASSES;
 
   Team(int thread, int threads, Barrier* barrier)
       : thread_(thread), threads_(threads), barrier_(barrier) {}
+  explicit Team(const Jobs& jobs) : jobs_(&jobs) {}
 
   template <class Kernel>
-  __attribute__((noinline)) void for_each_block(int count, const Kernel& shared) const {
+  void for_each_block(int count, const Kernel& kernel) const {
     check_kernel<Kernel>();
-    const Kernel kernel = shared;  // a copy of this thread's own: nothing can alias its members
+    if (jobs_ != nullptr) return hand_out(count, kernel);
     const int begin = static_cast<int>(int64_t(count) * thread_ / threads_);
     const int end = static_cast<int>(int64_t(count) * (thread_ + 1) / threads_);
-    for (int block = begin; block < end; ++block) kernel(block, 0, Lanes<block_size>{});
+    run_range(kernel, begin, end);
   }
   void meet() const {
     if (threads_ > 1) barrier_->wait(threads_);
@@ -58,22 +67,33 @@ class Team {
   bool leads() const { return thread_ == 0; }
 
  private:
-  int thread_, threads_;
-  Barrier* barrier_;
+  /// A dispatch costs microseconds: fewer than 16 blocks are not worth one.
+  template <class Kernel>
+  void hand_out(int count, const Kernel& kernel) const {
+    if (count < 16) return run_range(kernel, 0, count);
+    const int share = count / (4 * static_cast<int>(jobs_->workers));
+    const auto run = [](void* context, uint32_t begin, uint32_t end) {
+      run_range(*static_cast<const Kernel*>(context), static_cast<int>(begin),
+                static_cast<int>(end));
+    };
+    jobs_->parallel_for(jobs_->user, static_cast<uint32_t>(count),
+                        static_cast<uint32_t>(share > 8 ? share : 8), run,
+                        const_cast<Kernel*>(&kernel), "weft");
+  }
+
+  int thread_ = 0, threads_ = 1;
+  Barrier* barrier_ = nullptr;
+  const Jobs* jobs_ = nullptr;
 };
 
 class Exec {
  public:
-  explicit Exec(int threads) : threads_(threads) {}
-
-  /// Threads worth using: a second one pays from about 1000 particles.
-  static int useful_threads(int blocks, int wanted) {
-    const int most = blocks / 16 > 1 ? blocks / 16 : 1;
-    return wanted < most ? wanted : most;
-  }
+  Exec(int blocks, Workers workers)
+      : threads_(useful_threads(blocks, workers.threads)), jobs_(workers.jobs) {}
 
   template <class Body>
   void frame(const Body& body) const {
+    if (jobs_ != nullptr) return body(Team(*jobs_));
     if (threads_ <= 1) return body(Team(0, 1, nullptr));
     Barrier barrier;
 #pragma omp parallel num_threads(threads_)
@@ -81,7 +101,14 @@ class Exec {
   }
 
  private:
+  /// A second thread pays from about 1000 particles.
+  static int useful_threads(int blocks, int wanted) {
+    const int most = blocks / 16 > 1 ? blocks / 16 : 1;
+    return wanted < most ? wanted : most;
+  }
+
   int threads_;
+  const Jobs* jobs_;
 };
 
 }  // namespace WEFT_BACKEND_NS

@@ -103,6 +103,10 @@ void add_other_passes(const WorldShape& world, Plan& plan) {
                      reach_flops};
     plan.passes.insert(plan.passes.begin(), reach);
   }
+  if (world.interpolate) {
+    plan.passes.insert(plan.passes.begin(),
+                       {"keep", "frame", "positions_before", particles, 6 * scalar, 0});
+  }
   plan.passes.push_back(
       {"survey", "frame", "bounds_speed_and_loss", particles, 6 * scalar, survey_flops});
   if (world.normals) {

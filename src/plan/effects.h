@@ -38,6 +38,7 @@ struct WorldShape {
   uint32_t colliders[collider_shapes] = {};  ///< by ColliderShape
   uint32_t turning_colliders = 0;
   std::vector<MeshArrays> meshes;  ///< each that a collider uses, once
+  bool interpolate = false;  ///< positions before a frame are kept
   bool wind = false;
   bool normals = false;   ///< of meshes: grids need nothing for theirs
   uint32_t motions = 0;   ///< of all cloths, and one for "none" when any pin moves

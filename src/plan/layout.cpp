@@ -153,6 +153,7 @@ Layout lay_out(const WorldShape& world, int particle_step) {
     l.d[0] = cut.take_vectors(particles, guard);
     l.d[1] = world.reads_velocities() ? cut.take_vectors(particles, guard) : l.d[0];
   }
+  if (world.interpolate) l.before = cut.take_vectors(particles, 0);
   l.inverse_mass = cut.take(particles, scalar);
   l.block_cloth = cut.take(blocks, sizeof(int32_t));
   l.cloths = cut.take(world.cloths.size(),

@@ -19,6 +19,7 @@ struct VectorArray {
 
 struct Layout {
   VectorArray x[3], d[2];
+  VectorArray before;  ///< positions before the last frame
   size_t inverse_mass = absent, presence = absent;
   size_t block_cloth = absent, block_inner = absent, block_pins = absent;
   size_t cloths = absent;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "state/scratch.h"
+#include "state/vertices.h"
 #include "step/frame.h"
 #include "weft/core.hpp"
 
@@ -43,16 +44,24 @@ class Backend {
   virtual Status normals(const Frame<float>&) const noexcept = 0;
   virtual Status normals(const Frame<double>&) const noexcept = 0;
 
+  /// Vertices into memory that the back end can reach: on the host, the caller's buffer.
+  virtual Status write_vertices(const VertexJob<float>&, Workers) const noexcept = 0;
+  virtual Status write_vertices(const VertexJob<double>&, Workers) const noexcept = 0;
+  /// Within device memory.
+  virtual Status copy(void* to, const void* from, size_t bytes) const noexcept = 0;
+
   /// Sum over the fixed tree of step/reduce.h, of device memory into scratch[...]; the sum comes
   /// back.
-  virtual Status sum(const float* device, int count, float* scratch, int threads,
+  virtual Status sum(const float* device, int count, float* scratch, Workers,
                      float& total) const noexcept = 0;
-  virtual Status sum(const double* device, int count, double* scratch, int threads,
+  virtual Status sum(const double* device, int count, double* scratch, Workers,
                      double& total) const noexcept = 0;
   /// out[i] = sum of in[0, i); in and out may be the same.
-  virtual Status exclusive_scan(const uint32_t* in, uint32_t* out, int count) const noexcept = 0;
+  virtual Status exclusive_scan(const uint32_t* in, uint32_t* out, int count,
+                                Workers) const noexcept = 0;
   /// Sorts pairs by key; equal keys keep their order.
-  virtual Status stable_sort_by_key(uint32_t* keys, uint32_t* values, int count) const noexcept = 0;
+  virtual Status stable_sort_by_key(uint32_t* keys, uint32_t* values, int count,
+                                    Workers) const noexcept = 0;
 };
 
 }  // namespace weft

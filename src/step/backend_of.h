@@ -1,9 +1,9 @@
 // A back end made of a device: the verbs of step/backend.h, written once. A Device offers
 //
 //   static const BackendInfo& info()
-//   static Exec exec(int blocks, int threads)     executor (step/exec_contract.h)
+//   static Exec exec(int blocks, Workers)         executor (step/exec_contract.h)
 //   static Status finish()                        waits until everything enqueued is done
-//   static allocate, release, zero, to_device, to_host, exclusive_scan, stable_sort_by_key
+//   static allocate, release, zero, to_device, to_host, copy, exclusive_scan, stable_sort_by_key
 #pragma once
 
 #include "step/backend.h"
@@ -47,25 +47,36 @@ class BackendOf final : public Backend {
   Status survey(const Frame<double>& f) const noexcept override { return do_survey(f); }
   Status normals(const Frame<float>& f) const noexcept override { return do_normals(f); }
   Status normals(const Frame<double>& f) const noexcept override { return do_normals(f); }
-  Status sum(const float* device, int count, float* scratch, int threads,
+  Status write_vertices(const VertexJob<float>& job, Workers workers) const noexcept override {
+    return do_write(job, workers);
+  }
+  Status write_vertices(const VertexJob<double>& job, Workers workers) const noexcept override {
+    return do_write(job, workers);
+  }
+  Status copy(void* to, const void* from, size_t bytes) const noexcept override {
+    return Device::copy(to, from, bytes);
+  }
+  Status sum(const float* device, int count, float* scratch, Workers workers,
              float& total) const noexcept override {
-    return do_sum(device, count, scratch, threads, total);
+    return do_sum(device, count, scratch, workers, total);
   }
-  Status sum(const double* device, int count, double* scratch, int threads,
+  Status sum(const double* device, int count, double* scratch, Workers workers,
              double& total) const noexcept override {
-    return do_sum(device, count, scratch, threads, total);
+    return do_sum(device, count, scratch, workers, total);
   }
-  Status exclusive_scan(const uint32_t* in, uint32_t* out, int count) const noexcept override {
-    return Device::exclusive_scan(in, out, count);
+  Status exclusive_scan(const uint32_t* in, uint32_t* out, int count,
+                        Workers workers) const noexcept override {
+    return Device::exclusive_scan(in, out, count, workers);
   }
-  Status stable_sort_by_key(uint32_t* keys, uint32_t* values, int count) const noexcept override {
-    return Device::stable_sort_by_key(keys, values, count);
+  Status stable_sort_by_key(uint32_t* keys, uint32_t* values, int count,
+                            Workers workers) const noexcept override {
+    return Device::stable_sort_by_key(keys, values, count, workers);
   }
 
  private:
   template <class T>
   static auto exec(const Frame<T>& f) {
-    return Device::exec(f.sim.blocks, f.threads);
+    return Device::exec(f.sim.blocks, f.workers);
   }
   template <class T>
   static Status do_frame(Frame<T>& f) {
@@ -98,8 +109,14 @@ class BackendOf final : public Backend {
     return Device::finish();
   }
   template <class T>
-  static Status do_sum(const T* device, int count, T* scratch, int threads, T& total) {
-    auto e = Device::exec(count / block_size, threads);
+  static Status do_write(const VertexJob<T>& job, Workers workers) {
+    auto e = Device::exec((job.vertices + block_size - 1) / block_size, workers);
+    run_write_vertices(e, job);
+    return Device::finish();
+  }
+  template <class T>
+  static Status do_sum(const T* device, int count, T* scratch, Workers workers, T& total) {
+    auto e = Device::exec(count / block_size, workers);
     const T* result = run_sum(e, device, count, scratch);
     return Device::to_host(&total, result, sizeof total);
   }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "state/simulation.h"
+#include "step/workers.h"
 
 namespace weft {
 
@@ -15,7 +16,7 @@ struct Frame {
   Vec3<T> gravity;
   Wind<T> wind;
   bool by_block;  ///< some cloth has a list of colliders for each of its blocks
-  int threads;    ///< most that the host back end may use
+  Workers workers = 1;
 };
 
 }  // namespace weft

@@ -12,6 +12,7 @@
 #include "kernels/normals.h"
 #include "kernels/reach.h"
 #include "kernels/survey.h"
+#include "kernels/write_vertices.h"
 #include "step/exec_contract.h"
 #include "step/fans.h"
 #include "step/frame.h"
@@ -165,6 +166,15 @@ void run_accelerations(Exec& exec, const Frame<T>& frame) {
   step.ratio = T(1);
   exec.frame([&](const auto& team) {
     advance(team, frame.sim, buffers(frame.sim, frame.position_form), step);
+  });
+}
+
+/// Vertices of one cloth into the caller's buffer.
+template <class T, class Exec>
+void run_write_vertices(Exec& exec, const VertexJob<T>& job) {
+  exec.frame([&](const auto& team) {
+    team.for_each_block((job.vertices + block_size - 1) / block_size, WriteVertices<T>{job});
+    team.meet();
   });
 }
 

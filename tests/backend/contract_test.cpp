@@ -93,9 +93,9 @@ TEST_P(Contract, ExclusiveScanSumsWhatIsBefore) {
     std::vector<uint32_t> expected(count);
     std::exclusive_scan(values.begin(), values.end(), expected.begin(), 0u);
     const DeviceArray<uint32_t> in(backend(), values), out(backend(), values);
-    ASSERT_EQ(backend().exclusive_scan(in.data(), out.data(), int(count)), Status::ok);
+    ASSERT_EQ(backend().exclusive_scan(in.data(), out.data(), int(count), 2), Status::ok);
     EXPECT_EQ(out.read(count), expected);
-    ASSERT_EQ(backend().exclusive_scan(in.data(), in.data(), int(count)), Status::ok);
+    ASSERT_EQ(backend().exclusive_scan(in.data(), in.data(), int(count), 2), Status::ok);
     EXPECT_EQ(in.read(count), expected);
   }
 }
@@ -110,7 +110,7 @@ TEST_P(Contract, SortKeepsTheOrderOfEqualKeys) {
   std::stable_sort(order.begin(), order.end(),
                    [&](uint32_t a, uint32_t b) { return keys[a] < keys[b]; });
   const DeviceArray<uint32_t> k(backend(), keys), v(backend(), values);
-  ASSERT_EQ(backend().stable_sort_by_key(k.data(), v.data(), int(count)), Status::ok);
+  ASSERT_EQ(backend().stable_sort_by_key(k.data(), v.data(), int(count), 2), Status::ok);
   EXPECT_EQ(v.read(count), order);
 }
 

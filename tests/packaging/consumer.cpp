@@ -1,6 +1,6 @@
-// A user's program: the public interface end to end, without exceptions and RTTI. Prints the hash of
-// the state, which is the same however weft was linked.
-#include <weft/weft.hpp>
+// A user's program: the public interface end to end, without exceptions and RTTI. Prints the hash
+// of the state, which is the same however weft was linked.
+#include "weft/weft.hpp"
 
 #include <cstdio>
 
@@ -45,7 +45,7 @@ extern "C" int run_consumer() {
   weft::float3 positions[400];
   const weft::Status read = world->read_positions(*cloth, positions);
   if (read != weft::Status::ok) return failed("read_positions", read);
-  if (!(positions[399].y < 0)) return failed("the sheet did not fall", weft::Status::diverged);
+  if (!(positions[399].y < 0.9f)) return failed("the sheet did not fall", weft::Status::diverged);
   auto hash = world->state_hash();
   if (!hash) return failed("state_hash", hash.status());
   std::printf("%016llx\n", static_cast<unsigned long long>(*hash));

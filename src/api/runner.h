@@ -1,0 +1,31 @@
+// A thread that runs one function at a time for World::begin_step. It starts with the first.
+#pragma once
+
+#include <condition_variable>
+#include <mutex>
+#include <thread>
+
+namespace weft::api {
+
+class Runner {
+ public:
+  Runner() = default;
+  ~Runner();
+  Runner(const Runner&) = delete;
+  Runner& operator=(const Runner&) = delete;
+
+  /// Throws std::system_error where no thread can be made. The function before must have ended.
+  void start(void (*function)(void*), void* argument);
+
+ private:
+  void loop();
+
+  std::thread thread_;
+  std::mutex mutex_;
+  std::condition_variable wakes_;
+  void (*function_)(void*) = nullptr;
+  void* argument_ = nullptr;
+  bool closing_ = false;
+};
+
+}  // namespace weft::api

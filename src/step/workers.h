@@ -1,0 +1,16 @@
+// Who does the work of a verb.
+#pragma once
+
+#include "weft/core.hpp"
+
+namespace weft {
+
+struct Workers {
+  int threads;                 ///< most that the host back end may use
+  const Jobs* jobs = nullptr;  ///< the caller's; null: the back end's own
+
+  constexpr Workers(int threads_at_most, const Jobs* of_caller = nullptr)
+      : threads(threads_at_most), jobs(of_caller) {}
+};
+
+}  // namespace weft

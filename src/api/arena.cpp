@@ -302,15 +302,7 @@ class ArenaOf final : public Arena {
     const size_t count = cloth.cooked().vertices;
     const Status status = fetch(from, cloth.first, count, values);
     if (status != Status::ok) return status;
-    const auto host_step = static_cast<size_t>(context_.host().info().particle_step);
-    const size_t pitch = host_step > 1 ? 1 : count;
-    mirror.resize(host_step > 1 ? count * host_step : 3 * count);
-    for (size_t i = 0; i < count; ++i) {
-      mirror[i * host_step] = values[i].x;
-      mirror[i * host_step + pitch] = values[i].y;
-      mirror[i * host_step + 2 * pitch] = values[i].z;
-    }
-    out = {mirror.data(), pitch};
+    out = arranged(values, static_cast<size_t>(context_.host().info().particle_step), mirror);
     return Status::ok;
   }
 

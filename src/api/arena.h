@@ -10,8 +10,7 @@
 #include "api/context_state.h"
 #include "plan/layout.h"
 #include "plan/plan.h"
-#include "state/vertices.h"
-#include "step/workers.h"
+#include "step/backend.h"
 
 namespace weft::api {
 

@@ -23,6 +23,18 @@ template <class T>
 Vec3<T> narrow(const double3& v) {
   return {static_cast<T>(v.x), static_cast<T>(v.y), static_cast<T>(v.z)};
 }
+/// Vectors in the memory layout of a back end.
+template <class T>
+Vec3Array<T> arranged(const std::vector<Vec3<T>>& values, size_t step, std::vector<T>& memory) {
+  const size_t pitch = step > 1 ? 1 : values.size();
+  memory.resize(values.size() * (step > 1 ? step : 3));
+  for (size_t i = 0; i < values.size(); ++i) {
+    memory[i * step] = values[i].x;
+    memory[i * step + pitch] = values[i].y;
+    memory[i * step + 2 * pitch] = values[i].z;
+  }
+  return {memory.data(), pitch};
+}
 /// Element i of an array of vectors in an image.
 template <class T>
 class VectorWriter {

@@ -1,5 +1,6 @@
 #include "bench/sheets.h"
 
+#include <cmath>
 #include <cstring>
 #include <stdexcept>
 
@@ -36,7 +37,8 @@ SteppedWorld::SteppedWorld(Context context, Fabric fabric, const Options& option
   for (uint32_t i = 1; i < options.cloths; ++i) take(world_.create_cloth(cloth), "cloth");
   particles_ = uint64_t(options.cloths) * fabric.vertex_count();
   directed_springs_ = uint64_t(options.cloths) * 2 * fabric.spring_count();
-  dt_ = 0.9 * substeps_ * world_.stability().dt_bound;
+  const double bound = world_.stability().dt_bound;
+  dt_ = substeps_ * (std::isfinite(bound) ? 0.9 * bound : 1e-3);  // nothing bounds a lone particle
   advance();
 }
 

@@ -1,4 +1,6 @@
 #include "bench/bench.h"
+
+#include "bench/api.h"
 #include "bench/effects.h"
 #include "bench/gpu.h"
 #include "bench/grid.h"
@@ -17,6 +19,7 @@ const std::vector<Table>& tables() {
   static const std::vector<Table> all = {
       {"grid", "the chapter's loop (Listing 22.1) against weft; threads, precisions, sizes, meshes",
        run_grid_and_mesh},
+      {"api", "a call, many cloths, and vertices on their way out", run_api},
       {"effects", "what each effect adds, where it is used and where it has nothing to do",
        run_effects},
       {"gpu", "a frame of 16 substeps on the GPU: sizes, precisions, many cloths, effects",

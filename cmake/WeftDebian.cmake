@@ -25,30 +25,35 @@ set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
 set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
 set(version ${PROJECT_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE})
 
-set(about "weft simulates cloth, sheets, nets and other deformable surfaces as mass-spring
- systems, with the same result for any number of threads.")
+set(about "weft simulates cloth, sheets, nets and other deformable surfaces as
+mass-spring systems, with the same result for any number of threads.")
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_NAME ${library})
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_SECTION libs)
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_RUNTIME_DESCRIPTION "simulation of deformable surfaces (shared library)
 ${about}")
 
+file(WRITE ${CMAKE_BINARY_DIR}/debian/triggers "activate-noawait ldconfig\n")
+set(CPACK_DEBIAN_RUNTIME_PACKAGE_CONTROL_EXTRA ${CMAKE_BINARY_DIR}/debian/triggers)
+
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libweft-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "${library} (= ${version})")
 set(CPACK_DEBIAN_DEVELOPMENT_DESCRIPTION "simulation of deformable surfaces (development files)
 ${about}
- .
- Headers, and what CMake and pkg-config need to find the library.")
+
+Headers, and what CMake and pkg-config need to find the library.")
 
 set(CPACK_DEBIAN_TOOLS_PACKAGE_NAME weft-tools)
 set(CPACK_DEBIAN_TOOLS_PACKAGE_SECTION graphics)
 set(CPACK_DEBIAN_TOOLS_PACKAGE_DEPENDS "${library} (= ${version})")
 set(CPACK_DEBIAN_TOOLS_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${CMAKE_BINARY_DIR}/src)  # where libweft is now
 set(CPACK_DEBIAN_TOOLS_DESCRIPTION "simulation of deformable surfaces (command-line program)
 ${about}
- .
- The program weft runs, checks and plans scene files; some are in /usr/share/weft/scenes.")
+
+The program weft runs, checks and plans scene files; some are in
+/usr/share/weft/scenes.")
 
 # Copyright and changelog belong to packages, not to every installed tree.
 set(CPACK_PRE_BUILD_SCRIPTS ${PROJECT_SOURCE_DIR}/cmake/debian_documents.cmake)

@@ -1,5 +1,6 @@
 # Run by CPack on the staged packages: each gets its copyright and its change log. CPACK_WEFT_DOCUMENTED
 # lists COMPONENT:PACKAGE; SOURCE_DATE_EPOCH, when set, makes the files the same every time.
+cmake_policy(VERSION 3.25)
 string(TIMESTAMP date "%a, %d %b %Y %H:%M:%S +0000" UTC)
 set(entry "weft (${CPACK_PACKAGE_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE}) unstable; urgency=medium
 

@@ -143,7 +143,8 @@ sanitize() {
   mkdir -p "$results/sanitize"
   for tool in memcheck initcheck synccheck racecheck; do
     log=$results/sanitize/$tool.log
-    if ! compute-sanitizer --tool "$tool" --error-exitcode 9 "$weft" run --backend cuda \
+    if ! timeout 110 compute-sanitizer --tool "$tool" --error-exitcode 9 \
+        "$weft" run --backend cuda \
         --time 0.05 samples/scenes/sheet_on_sphere.json >"$log" 2>&1; then
       failed=1
     fi

@@ -101,20 +101,22 @@ build() {
 test_folders=(backend kernels physics stability determinism)
 test_targets() { printf 'tests/%s/all ' "${test_folders[@]}"; }
 
-# Worlds of the tests are made on the GPU; the programs are split so that several run at once.
+# Worlds of the tests are made on the GPU, where tiny steps take long; several programs run at once.
+# What a limit cuts off is left for the next call.
 tests() {
-  local programs shards=${WEFT_GPU_TEST_SHARDS:-4} folder
+  local programs program groups=${WEFT_GPU_TEST_GROUPS:-8} folder filter round
   programs=$(for folder in "${test_folders[@]}"; do
     find "$build/tests/$folder" -maxdepth 1 -type f -name 'weft_tests_*' -perm -u+x
   done)
-  rm -rf "$results/tests"
   mkdir -p "$results/tests"
-  local program shard
+  round=$(find "$results/tests" -name '*.log' | wc -l)
   for program in $programs; do
-    for ((shard = 0; shard < shards; ++shard)); do echo "$program $shard"; done
-  done | WEFT_TEST_BACKEND=cuda GTEST_TOTAL_SHARDS=$shards OMP_WAIT_POLICY=passive \
-    xargs -P "$jobs" -L 1 bash -c '
-      GTEST_SHARD_INDEX=$2 timeout "${WEFT_GPU_TEST_SECONDS:-400}" "$1" \
+    python3 scripts/gpu_report.py remaining "$results" "$program" "$groups" |
+      while read -r filter; do
+        echo "$program" "$((++round))" "$filter"
+      done
+  done | WEFT_TEST_BACKEND=cuda OMP_WAIT_POLICY=passive xargs -P "$jobs" -L 1 bash -c '
+      timeout "${WEFT_GPU_TEST_SECONDS:-400}" "$1" --gtest_filter="$3" \
         >"$0/$(basename "$1").$2.log" 2>&1 || true' "$results/tests"
   python3 scripts/gpu_report.py tests "$results"
 }
@@ -185,6 +187,7 @@ limited() {  # STAGE: in a shell of its own, so that a limit can end it
 
 if have_gpu; then describe_machine; fi
 for name in "${wanted[@]}"; do
+  [[ $again == false ]] || rm -rf "${results:?}/$name" "$results/$name.done"
   if [[ -e "$results/$name.done" && $again == false && $name != report ]]; then
     stage_lines+=("$(printf '%-10s %5s    passed before (--again repeats it)' "$name" -)")
     continue

@@ -1,6 +1,8 @@
 """Reads what scripts/gpu_check.sh left in a folder.
 usage: gpu_report.py tests|parity|bench|report FOLDER
-The first three print a summary and fail when something failed; `report` prints Markdown."""
+       gpu_report.py remaining FOLDER PROGRAM GROUPS
+The first three print a summary and fail when something failed; `report` prints Markdown;
+`remaining` prints at most GROUPS filters for the tests of PROGRAM that have not ended yet."""
 
 import csv
 import glob
@@ -8,6 +10,7 @@ import itertools
 import json
 import os
 import re
+import subprocess
 import sys
 
 
@@ -22,11 +25,11 @@ def read(path):
         return file.read()
 
 
-# Tests: one log per program and shard.
+# Tests: a log per program and group; one that was cut off leaves tests for the next call.
 
 
 def read_tests(folder):
-    """By program: (passed, skipped, names of those that failed, shards that did not end)."""
+    """By program: names of those that passed, were skipped, failed, and did not end."""
     programs = {}
     for path in sorted(glob.glob(f"{folder}/tests/*.log")):
         text = read(path)
@@ -39,7 +42,27 @@ def read_tests(folder):
         if not ended:
             running = re.findall(r"^\[ RUN      \] (\S+)", text, re.M)
             broken.append(running[-1] if running else os.path.basename(path))
+    for passed, skipped, failed, broken in programs.values():
+        broken[:] = sorted(set(broken) - set(passed) - set(skipped) - set(failed))
     return programs
+
+
+def remaining(folder, program, groups):
+    listed = subprocess.run([program, "--gtest_list_tests"], capture_output=True, text=True,
+                            check=True).stdout
+    names, suite = [], ""
+    for line in listed.splitlines():
+        name = line.split("#")[0].strip()
+        if line.startswith(" "):
+            names.append(suite + name)
+        elif name.endswith("."):
+            suite = name
+    ended = set()
+    for kind in read_tests(folder).get(os.path.basename(program), ())[:3]:
+        ended.update(kind)
+    left = [name for name in names if name not in ended]
+    for group in range(min(groups, len(left))):
+        print(":".join(left[group::groups]))
 
 
 def tests_table(folder):
@@ -139,6 +162,9 @@ def report(folder):
 
 def main():
     tables = {"tests": tests_table, "parity": parity_table, "bench": bench_table}
+    if len(sys.argv) == 5 and sys.argv[1] == "remaining":
+        remaining(sys.argv[2], sys.argv[3], int(sys.argv[4]))
+        return
     if len(sys.argv) != 3 or sys.argv[1] not in (*tables, "report"):
         sys.exit(__doc__)
     what, folder = sys.argv[1:]

@@ -143,15 +143,15 @@ debug() {
 
 asan() {
   configure asan
-  compile asan weft_cli tests/{unit,kernels,backend,io,stability}/all
+  compile asan weft_cli tests/{unit,kernels,api,backend,io,stability}/all
   forget_dead_teams
-  run_tests asan -L '^(unit|kernels|backend|io|stability)$' -LE long
+  run_tests asan -L '^(unit|kernels|api|backend|io|stability)$' -LE long
 }
 
 # The OpenMP runtime is not instrumented; its archer library tells the sanitizer of its barriers.
 tsan() {
   configure tsan
-  compile tsan race tests/determinism/all
+  compile tsan race weft_tests_threads tests/determinism/all
   forget_dead_teams
   run_tests tsan -L '^(determinism|race)$' -LE long
 }

@@ -18,6 +18,7 @@ struct ContextDesc {
   Allocator allocator;
   Log log;
   Jobs jobs;
+  Profiler profiler;
 };
 
 struct ContextInfo {

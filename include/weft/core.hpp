@@ -128,6 +128,7 @@ struct Id {
 };
 using ClothId = Id<struct cloth_tag>;
 using ColliderId = Id<struct collider_tag>;
+using ColliderSetId = Id<struct collider_set_tag>;
 using OutputId = Id<struct output_tag>;
 
 enum class Severity : uint8_t { info, warning, error };
@@ -160,6 +161,15 @@ struct Jobs {
                        const char* name) = nullptr;
   /// Optional: starts fn(ctx) on another thread and returns, for World::begin_step.
   void (*launch)(void* user, void (*fn)(void* ctx), void* ctx, const char* name) = nullptr;
+};
+
+/// Zones of a profiler: Tracy, Unreal Insights, Optick. Both functions or none. Called on the
+/// thread that does the work; `name` is a literal. Zones: "weft cook", "weft prepare", "weft step"
+/// (in a step in flight: its thread), "weft write_outputs".
+struct Profiler {
+  void* user = nullptr;
+  void* (*zone_begin)(void* user, const char* name) = nullptr;
+  void (*zone_end)(void* user, void* zone) = nullptr;  ///< `zone`: what zone_begin returned
 };
 
 enum class Precision : uint8_t { float32, float64 };

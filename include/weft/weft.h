@@ -9,9 +9,7 @@
 #ifndef WEFT_WEFT_H
 #define WEFT_WEFT_H
 
-#include <stdbool.h>
-#include <stddef.h>
-#include <stdint.h>
+#include "weft/types.h"
 
 #if defined(WEFT_STATIC)
 #  define WEFT_C_API
@@ -29,260 +27,6 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
-
-typedef int32_t weft_status;
-enum {
-  WEFT_OK = 0,
-  WEFT_INVALID_ARGUMENT,
-  WEFT_INVALID_HANDLE,
-  WEFT_VERSION_MISMATCH,
-  WEFT_OUT_OF_MEMORY,
-  WEFT_NO_DEVICE,
-  WEFT_DEVICE_LOST,
-  WEFT_UNSUPPORTED,
-  WEFT_UNSTABLE_STEP,
-  WEFT_DIVERGED,
-  WEFT_WRONG_THREAD,
-  WEFT_IN_FLIGHT
-};
-enum { WEFT_BACKEND_AUTOMATIC, WEFT_BACKEND_OMP, WEFT_BACKEND_CUDA, WEFT_BACKEND_HIP };
-enum { WEFT_FLOAT32, WEFT_FLOAT64 };
-enum { WEFT_FORM_SUMMED, WEFT_FORM_POSITION };
-enum { WEFT_START_TAYLOR, WEFT_START_LAGGED };
-enum { WEFT_DRAG_CENTRAL, WEFT_DRAG_LAGGED };
-enum { WEFT_MOVE_SIMULATE, WEFT_MOVE_TELEPORT };
-enum { WEFT_STENCIL_SEED12, WEFT_STENCIL_CLASSIC12, WEFT_STENCIL_QUAD4, WEFT_STENCIL_TRI6 };
-enum { WEFT_MASS_TOTAL, WEFT_MASS_DENSITY, WEFT_MASS_PER_VERTEX };
-enum { WEFT_INFO, WEFT_WARNING, WEFT_ERROR };
-enum {
-  WEFT_FORMAT_NONE,
-  WEFT_FORMAT_F32X3,
-  WEFT_FORMAT_F32X4,
-  WEFT_FORMAT_F16X4,
-  WEFT_FORMAT_SNORM8X4,
-  WEFT_FORMAT_SNORM16X4,
-  WEFT_FORMAT_OCT16X2
-};
-enum {
-  WEFT_EVENT_NON_FINITE,
-  WEFT_EVENT_BACKEND_FALLBACK,
-  WEFT_EVENT_SLEPT,
-  WEFT_EVENT_WOKE,
-  WEFT_EVENT_TIME_DROPPED
-};
-#define WEFT_PIN_FIXED UINT32_MAX
-
-typedef struct weft_context weft_context;
-typedef struct weft_fabric weft_fabric;
-typedef struct weft_collider_mesh weft_collider_mesh;
-typedef struct weft_world weft_world;
-typedef struct weft_id {
-  uint32_t index, generation;
-} weft_id;
-typedef weft_id weft_cloth_id, weft_collider_id, weft_output_id;
-typedef struct weft_float3 {
-  float x, y, z;
-} weft_float3;
-typedef struct weft_double3 {
-  double x, y, z;
-} weft_double3;
-
-/* `count` elements, `stride` bytes apart; count 0: nothing. Of what, the field says. */
-typedef struct weft_view {
-  const void* data;
-  uint32_t count, stride;
-} weft_view;
-typedef struct weft_points {
-  const void* data; /* weft_float3 or weft_double3 */
-  uint32_t count, stride;
-  bool is_double;
-} weft_points;
-
-typedef struct weft_allocator {
-  void* user;
-  void* (*allocate)(void* user, size_t bytes, size_t alignment);
-  void (*deallocate)(void* user, void* memory, size_t bytes);
-} weft_allocator;
-typedef struct weft_log {
-  void* user;
-  void (*message)(void* user, uint8_t severity, const char* text);
-} weft_log;
-typedef struct weft_jobs {
-  void* user;
-  uint32_t workers;
-  void (*parallel_for)(void* user, uint32_t count, uint32_t grain,
-                       void (*fn)(void* context, uint32_t begin, uint32_t end), void* context,
-                       const char* name);
-  void (*launch)(void* user, void (*fn)(void* context), void* context, const char* name);
-} weft_jobs;
-typedef struct weft_context_desc {
-  uint8_t backend, isa; /* isa: 0 automatic, 1 v2, 2 v3, 3 v4 */
-  uint32_t threads;
-  weft_allocator allocator;
-  weft_log log;
-  weft_jobs jobs;
-} weft_context_desc;
-typedef struct weft_context_info {
-  const char *backend, *device, *isa;
-  uint32_t threads;
-  const char* fallback;
-} weft_context_info;
-
-typedef struct weft_material {
-  double stretch, shear, bend; /* N/m */
-  double rest_length;          /* m; below 0: as in the rest shape */
-  uint8_t mass_kind;
-  double mass;
-  weft_view masses; /* double */
-  double scale;
-} weft_material;
-typedef struct weft_grid_desc {
-  uint32_t rows, columns;
-  double width, height;
-  uint8_t stencil;
-  weft_material material;
-} weft_grid_desc;
-typedef struct weft_mesh_desc {
-  weft_points positions;
-  weft_view indices; /* uint32_t */
-  bool bend;
-  weft_material material;
-} weft_mesh_desc;
-typedef struct weft_spring {
-  uint32_t a, b;
-  double stiffness, rest_length; /* below 0: the material's */
-} weft_spring;
-typedef struct weft_network_desc {
-  weft_points positions;
-  weft_view springs; /* weft_spring */
-  weft_material material;
-} weft_network_desc;
-typedef struct weft_collider_mesh_desc {
-  weft_points positions;
-  weft_view indices; /* uint32_t */
-  double scale, thickness;
-  bool closed;
-} weft_collider_mesh_desc;
-
-typedef struct weft_world_desc {
-  weft_double3 gravity;
-  uint8_t precision, form, start;
-  uint32_t substeps;
-  double safety;
-  bool unsafe;
-  double fixed_dt;
-  uint32_t max_steps_per_advance;
-  bool interpolate;
-} weft_world_desc;
-typedef struct weft_pin_motion {
-  weft_double3 velocity, amplitude;
-  double omega;
-} weft_pin_motion;
-typedef struct weft_pin {
-  uint32_t vertex, motion;
-} weft_pin;
-typedef struct weft_vertex_force {
-  uint32_t vertex;
-  weft_double3 force;
-} weft_vertex_force;
-typedef struct weft_pose {
-  weft_double3 axis;
-  double degrees;
-  weft_double3 translate;
-} weft_pose;
-typedef struct weft_cloth_desc {
-  const weft_fabric* fabric;
-  weft_pose pose;
-  weft_points positions;
-  weft_double3 velocity;
-  weft_view velocities; /* weft_double3 */
-  weft_view pins;       /* weft_pin */
-  weft_view motions;    /* weft_pin_motion */
-  weft_view forces;     /* weft_vertex_force */
-  double drag;
-  uint8_t drag_model;
-  double spring_damping;
-  double sleep_speed, sleep_time;
-  uint64_t user_data;
-} weft_cloth_desc;
-
-typedef struct weft_sphere_desc {
-  weft_double3 center;
-  double radius;
-  weft_double3 velocity;
-  double friction;
-} weft_sphere_desc;
-typedef struct weft_plane_desc {
-  weft_double3 normal;
-  double offset;
-  weft_double3 velocity;
-  double friction;
-} weft_plane_desc;
-typedef struct weft_capsule_desc {
-  weft_double3 a, b;
-  double radius;
-  weft_double3 velocity;
-  double friction;
-} weft_capsule_desc;
-typedef weft_capsule_desc weft_cylinder_desc;
-typedef struct weft_box_desc {
-  weft_double3 center, half, axis;
-  double degrees;
-  weft_double3 velocity;
-  double friction;
-} weft_box_desc;
-typedef struct weft_mesh_collider_desc {
-  const weft_collider_mesh* mesh;
-  weft_pose pose;
-  weft_double3 velocity;
-  double friction;
-} weft_mesh_collider_desc;
-typedef struct weft_wind_desc {
-  weft_double3 velocity;
-  double air_density, normal, tangential;
-} weft_wind_desc;
-
-typedef struct weft_attribute {
-  uint8_t format;
-  uint32_t offset, stride;
-} weft_attribute;
-typedef struct weft_output_desc {
-  weft_attribute position, normal, last_position;
-  void* memory;
-  uint64_t bytes;
-  uint32_t first_vertex;
-  weft_double3 origin;
-} weft_output_desc;
-typedef struct weft_bounds {
-  weft_double3 low, high;
-} weft_bounds;
-typedef struct weft_advance {
-  uint32_t steps;
-  double alpha;
-} weft_advance;
-typedef struct weft_stability {
-  double dt_bound;
-  weft_cloth_id cloth;
-  uint32_t a, b;
-} weft_stability;
-typedef struct weft_event {
-  uint8_t type;
-  weft_cloth_id cloth;
-  uint32_t vertex;
-  double time;
-  const char* text;
-} weft_event;
-typedef struct weft_mechanics {
-  double kinetic, elastic, potential;
-  weft_double3 momentum;
-} weft_mechanics;
-typedef struct weft_stats {
-  uint64_t particles, springs, frames, steps;
-  uint32_t substeps_last, substeps_most;
-  double dt_last, dt_least, step_seconds, time_dropped;
-  uint32_t threads;
-  uint64_t bytes_state, bytes_total;
-} weft_stats;
 
 WEFT_C_API const char* weft_status_text(weft_status);
 WEFT_C_API const char* weft_build_info(void);
@@ -343,8 +87,14 @@ WEFT_C_API weft_status weft_create_mesh(weft_world*, const weft_mesh_collider_de
 WEFT_C_API weft_status weft_destroy_collider(weft_world*, weft_collider_id);
 WEFT_C_API weft_status weft_move_collider(weft_world*, weft_collider_id, const weft_pose*,
                                           uint8_t move);
+WEFT_C_API weft_status weft_create_collider_set(weft_world*, const weft_collider_set_desc*,
+                                                weft_collider_set_id* out);
+WEFT_C_API weft_status weft_move_collider_set(weft_world*, weft_collider_set_id,
+                                              const weft_collider_set_desc*, uint8_t move);
+WEFT_C_API weft_status weft_destroy_collider_set(weft_world*, weft_collider_set_id);
 WEFT_C_API weft_status weft_move_pins(weft_world*, weft_cloth_id, const uint32_t* vertices,
                                       uint32_t count, weft_points targets);
+WEFT_C_API weft_status weft_set_skinned_targets(weft_world*, weft_cloth_id, weft_points targets);
 WEFT_C_API weft_status weft_release_pins(weft_world*, weft_cloth_id, const uint32_t* vertices,
                                          uint32_t count);
 WEFT_C_API weft_status weft_set_forces(weft_world*, weft_cloth_id, const weft_vertex_force* forces,

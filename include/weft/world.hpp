@@ -144,6 +144,16 @@ struct MeshColliderDesc {
 /// that form a move is a velocity).
 enum class Move : uint8_t { simulate, teleport };
 
+/// The colliders of a character, sent whole every frame. The order is their identity: element i of
+/// `spheres` moves from where it was to where it is now, swept and with the velocity of that move.
+struct ColliderSetDesc {
+  View<SphereDesc> spheres;
+  View<PlaneDesc> planes;
+  View<CapsuleDesc> capsules;
+  View<CylinderDesc> cylinders;
+  View<BoxDesc> boxes;
+};
+
 /// Wind on the triangles of grids and meshes. A triangle of area A and unit normal n whose vertices
 /// move at v on average feels, with u = velocity - v,
 ///   (air_density A/2) (normal |u.n| (u.n) n + tangential |u_t| u_t),
@@ -293,9 +303,19 @@ class WEFT_API World {
   /// until it is moved again. By `teleport` it is there at once.
   Status move_collider(ColliderId, const Pose& pose, Move = Move::simulate) noexcept;
 
+  /// All of the set, or none of it where one is refused; `velocity` counts until the first move.
+  Result<ColliderSetId> create_collider_set(const ColliderSetDesc&) noexcept;
+  /// As move_collider for each: the same numbers of each shape, radii, lengths and edges within
+  /// 1e-4; of `friction` and `velocity` nothing is read. Nothing moves where one is refused.
+  Status move_collider_set(ColliderSetId, const ColliderSetDesc&, Move = Move::simulate) noexcept;
+  Status destroy_collider_set(ColliderSetId) noexcept;
+
   /// Pins `vertices` where `targets` (one each, world, m) say: a free vertex is pinned, a pinned
   /// one is moved; the motion runs linearly over the next step and then stops.
   Status move_pins(ClothId, View<uint32_t> vertices, PointView targets) noexcept;
+  /// Moves every pin of a cloth to where an engine's skinning has its vertex; `targets`: one per
+  /// vertex of the cloth, m, in the world.
+  Status set_skinned_targets(ClothId, PointView targets) noexcept;
   /// Frees `vertices`; each keeps the displacement of its last substep as velocity.
   Status release_pins(ClothId, View<uint32_t> vertices) noexcept;
   /// Replaces the constant forces of a cloth; several on one vertex add up.

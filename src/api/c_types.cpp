@@ -36,6 +36,7 @@ ContextDesc from_c(const weft_context_desc& d) {
   out.threads = d.threads;
   out.allocator = {d.allocator.user, d.allocator.allocate, d.allocator.deallocate};
   out.jobs = {d.jobs.user, d.jobs.workers, d.jobs.parallel_for, d.jobs.launch};
+  out.profiler = {d.profiler.user, d.profiler.zone_begin, d.profiler.zone_end};
   return out;
 }
 
@@ -111,6 +112,17 @@ MeshColliderDesc from_c(const weft_mesh_collider_desc& d) {
 }
 WindDesc from_c(const weft_wind_desc& d) {
   return {from_c(d.velocity), d.air_density, d.normal, d.tangential};
+}
+
+ColliderSetDesc from_c(const weft_collider_set_desc& d) {
+  static_assert(sizeof(SphereDesc) == sizeof(weft_sphere_desc) &&
+                sizeof(PlaneDesc) == sizeof(weft_plane_desc) &&
+                sizeof(CapsuleDesc) == sizeof(weft_capsule_desc) &&
+                sizeof(CylinderDesc) == sizeof(weft_cylinder_desc) &&
+                sizeof(BoxDesc) == sizeof(weft_box_desc));
+  return {from_c<SphereDesc>(d.spheres), from_c<PlaneDesc>(d.planes),
+          from_c<CapsuleDesc>(d.capsules), from_c<CylinderDesc>(d.cylinders),
+          from_c<BoxDesc>(d.boxes)};
 }
 
 OutputDesc from_c(const weft_output_desc& d) {

@@ -47,6 +47,7 @@ Desc rod_from_c(const weft_capsule_desc& d) {
 BoxDesc from_c(const weft_box_desc&);
 MeshColliderDesc from_c(const weft_mesh_collider_desc&);
 WindDesc from_c(const weft_wind_desc&);
+ColliderSetDesc from_c(const weft_collider_set_desc&);
 OutputDesc from_c(const weft_output_desc&);
 
 }  // namespace weft::api

@@ -82,6 +82,31 @@ weft_status weft_move_collider(weft_world* w, weft_collider_id id, const weft_po
       },
       pose);
 }
+weft_status weft_create_collider_set(weft_world* w, const weft_collider_set_desc* d,
+                                     weft_collider_set_id* out) {
+  return take(
+      w, out, [&](World& world) { return world.create_collider_set(api::from_c(*d)); }, put_id, d);
+}
+weft_status weft_move_collider_set(weft_world* w, weft_collider_set_id id,
+                                   const weft_collider_set_desc* d, uint8_t move) {
+  return on(
+      w,
+      [&](World& world) {
+        return world.move_collider_set(api::id_from_c<ColliderSetId>(id), api::from_c(*d),
+                                       static_cast<Move>(move));
+      },
+      d);
+}
+weft_status weft_destroy_collider_set(weft_world* w, weft_collider_set_id id) {
+  return on(w, [&](World& world) {
+    return world.destroy_collider_set(api::id_from_c<ColliderSetId>(id));
+  });
+}
+weft_status weft_set_skinned_targets(weft_world* w, weft_cloth_id id, weft_points targets) {
+  return on(w, [&](World& world) {
+    return world.set_skinned_targets(api::id_from_c<ClothId>(id), api::from_c(targets));
+  });
+}
 weft_status weft_move_pins(weft_world* w, weft_cloth_id id, const uint32_t* vertices,
                            uint32_t count, weft_points targets) {
   return on(w, [&](World& world) {

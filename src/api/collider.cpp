@@ -124,6 +124,50 @@ ColliderRecord record_of(const MeshColliderDesc& desc) {
   return r;
 }
 
+static void check_size(double size, double was, const char* name, const char* what) {
+  if (std::fabs(size - was) <= 1e-4 * was) return;
+  throw InvalidInput(
+      text("%s: the %s is %g m (it was %g m: a collider moves, it does not grow) "
+           "keep it, or create the set anew",
+           name, what, size, was));
+}
+
+Placed motion_to(const ColliderRecord& c, const ColliderRecord& other, const char* name) {
+  const double size = length(c.axis), size_other = length(other.axis);
+  Placed to;
+  switch (c.shape) {
+    case ColliderShape::sphere:
+      check_size(other.size, c.size, name, "radius");
+      break;
+    case ColliderShape::plane:
+      to = turn_from_to(c.point, other.point, across(c.point));
+      to.translate = times(other.size - c.size, other.point);
+      return to;
+    case ColliderShape::capsule:
+      check_size(other.size, c.size, name, "radius");
+      check_size(size_other, size, name, "length");
+      if (size > 0) {
+        to = turn_from_to(times(1 / size, c.axis), times(1 / size_other, other.axis), c.side);
+      }
+      break;
+    case ColliderShape::cylinder:
+      check_size(other.size, c.size, name, "radius");
+      check_size(other.length, c.length, name, "length");
+      to = turn_from_to(c.axis, other.axis, c.side);
+      break;
+    case ColliderShape::box:
+      check_size(other.half.x, c.half.x, name, "half edge along x");
+      check_size(other.half.y, c.half.y, name, "half edge along y");
+      check_size(other.half.z, c.half.z, name, "half edge along z");
+      to = turn_of_edges(c.edges, other.edges);
+      break;
+    case ColliderShape::mesh:
+      break;
+  }
+  to.translate = minus(other.point, rotate(to.rows, c.point));
+  return to;
+}
+
 ColliderPath path_of(const ColliderRecord& c, double time, double dt) {
   ColliderPath path{c.placed, c.placed, c.velocity, false, false};
   path.begin.translate = plus(c.placed.translate, times(time - c.since, c.velocity));

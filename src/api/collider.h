@@ -58,6 +58,10 @@ WorldReach reach_of(const ColliderRecord&, const ColliderPath&);
 /// Whether it comes into a box.
 bool overlaps(const double3& low, const double3& high, const WorldReach&);
 
+/// The motion that takes a collider as it was described to another description of it. Throws
+/// InvalidInput where no rigid motion does; `name` says whose it is.
+Placed motion_to(const ColliderRecord&, const ColliderRecord& other, const char* name);
+
 /// Each checks its description and throws InvalidInput.
 ColliderRecord record_of(const SphereDesc&);
 ColliderRecord record_of(const PlaneDesc&);

@@ -37,6 +37,43 @@ Placed placed_by(const Pose& pose, const char* of) {
   return placed;
 }
 
+static Placed turned_by(const Quaternion& q) {
+  Placed placed;
+  placed.rotation = blend(q, 1, {0, 0, 0, 0}, 0);
+  rows_of(placed.rotation, placed.rows);
+  return placed;
+}
+
+Placed turn_from_to(const double3& from, const double3& to, const double3& side) {
+  const double w = 1 + inner(from, to);
+  if (w < 1e-12) return turned_by({0, side.x, side.y, side.z});
+  const double3 v = outer(from, to);
+  return turned_by({w, v.x, v.y, v.z});
+}
+
+Placed turn_of_edges(const double3* from, const double3* to) {
+  // The matrix R = sum of to_k from_k^T, and its quaternion from the largest of four candidates.
+  double r[3][3] = {};
+  for (int k = 0; k < 3; ++k) {
+    const double a[3] = {to[k].x, to[k].y, to[k].z}, b[3] = {from[k].x, from[k].y, from[k].z};
+    for (int i = 0; i < 3; ++i) {
+      for (int j = 0; j < 3; ++j) r[i][j] += a[i] * b[j];
+    }
+  }
+  const double trace = r[0][0] + r[1][1] + r[2][2];
+  if (trace > 0) {
+    return turned_by({1 + trace, r[2][1] - r[1][2], r[0][2] - r[2][0], r[1][0] - r[0][1]});
+  }
+  int i = r[1][1] > r[0][0] ? 1 : 0;
+  if (r[2][2] > r[i][i]) i = 2;
+  const int j = (i + 1) % 3, k = (i + 2) % 3;
+  double q[3];
+  q[i] = 1 + r[i][i] - r[j][j] - r[k][k];
+  q[j] = r[j][i] + r[i][j];
+  q[k] = r[k][i] + r[i][k];
+  return turned_by({r[k][j] - r[j][k], q[0], q[1], q[2]});
+}
+
 Placed after(const Placed& then, const Placed& first) {
   Placed both;
   for (int r = 0; r < 3; ++r) {

@@ -18,6 +18,12 @@ struct Placed {
 /// Throws InvalidInput; `of` names the pose in messages.
 Placed placed_by(const Pose&, const char* of);
 
+/// The shortest turn of the unit vector `from` to the unit vector `to`; half a turn goes about
+/// `side`, a unit vector across `from`.
+Placed turn_from_to(const double3& from, const double3& to, const double3& side);
+/// The turn of three unit vectors, across each other, to three others of the same handedness.
+Placed turn_of_edges(const double3* from, const double3* to);
+
 /// First `first`, then `then`.
 Placed after(const Placed& then, const Placed& first);
 

@@ -41,6 +41,10 @@ Result<Context> Context::create(const ContextDesc& desc, uint32_t abi) noexcept 
                     "jobs needs both workers and parallel_for (launch is an extra) give both or "
                     "neither");
     }
+    if ((desc.profiler.zone_begin == nullptr) != (desc.profiler.zone_end == nullptr)) {
+      return refuse(Status::invalid_argument,
+                    "profiler has one function of two (a zone has two ends) give both or neither");
+    }
     if (desc.jobs.workers > 1024) {
       return refuse(
           Status::invalid_argument,
@@ -80,6 +84,7 @@ Result<Context> Context::create(const ContextDesc& desc, uint32_t abi) noexcept 
 template <class Cooked, class Desc, class Cook>
 static Result<Cooked> cook_with(const Context::Impl* impl, const Desc& desc, Cook cook) noexcept {
   if (!impl) return Status::invalid_handle;
+  const api::Zone zone(*impl->state, "weft cook");
   typename Cooked::Impl* made = nullptr;
   const Status status = api::guarded(*impl->state, [&] {
     auto cooking = std::make_unique<typename Cooked::Impl>(impl->state);

@@ -17,7 +17,7 @@ namespace api {
 
 struct ContextState {
   explicit ContextState(const ContextDesc& desc)
-      : memory(desc.allocator), log(desc.log), jobs(desc.jobs) {}
+      : memory(desc.allocator), log(desc.log), jobs(desc.jobs), profiler(desc.profiler) {}
 
   Workers workers() const noexcept {
     return {static_cast<int>(threads), jobs.parallel_for ? &jobs : nullptr};
@@ -36,10 +36,28 @@ struct ContextState {
   ContextMemory memory;
   Log log;
   Jobs jobs;
+  Profiler profiler;
   const Backend* backend = nullptr;
   const Backend* host_backend = nullptr;  ///< null: `backend` is the host's
   uint32_t threads = 1;
   std::string fallback;
+};
+
+/// A zone of the caller's profiler, as long as it lives.
+class Zone {
+ public:
+  Zone(const ContextState& context, const char* name) noexcept : profiler_(context.profiler) {
+    if (profiler_.zone_begin) zone_ = profiler_.zone_begin(profiler_.user, name);
+  }
+  ~Zone() {
+    if (profiler_.zone_end) profiler_.zone_end(profiler_.user, zone_);
+  }
+  Zone(const Zone&) = delete;
+  Zone& operator=(const Zone&) = delete;
+
+ private:
+  const Profiler& profiler_;
+  void* zone_ = nullptr;
 };
 
 /// Runs `body`, which returns a Status, and turns what it throws into one.

@@ -50,6 +50,7 @@ World::Impl::Impl(std::shared_ptr<api::ContextState> owner, const WorldDesc& wor
       serial(next_serial()),
       cloth_ids(serial),
       collider_ids(serial),
+      collider_set_ids(serial),
       output_ids(serial),
       arena(api::make_arena(desc.precision, *context)) {
   events.reserve(16);
@@ -129,20 +130,30 @@ Status World::destroy_cloth(ClothId id) noexcept {
 
 bool World::valid(ClothId id) const noexcept { return impl_ && impl_->find(id) != nullptr; }
 
-/// Checks a description and takes it up; a world keeps its colliders in slots.
+ColliderId World::Impl::add(api::ColliderRecord record) {
+  record.since = time;
+  wake_touched(record, 0);
+  record.id = collider_ids.take(colliders);
+  colliders[record.id.index] = record;
+  dirty = true;
+  return record.id;
+}
+
+void World::Impl::remove(api::ColliderRecord& collider) {
+  wake_touched(collider, 0);
+  const uint32_t slot = collider.id.index;
+  collider = {};
+  collider_ids.give_back(slot);
+  dirty = true;
+}
+
 template <class Desc>
 static Result<ColliderId> add_collider(World::Impl* impl, const Desc& desc) {
   const api::Entry entry(impl);
   if (!entry) return entry.status();
   ColliderId id;
   const Status status = api::guarded(*impl->context, [&] {
-    api::ColliderRecord record = api::record_of(desc);
-    record.since = impl->time;
-    impl->wake_touched(record, 0);
-    id = impl->collider_ids.take(impl->colliders);
-    record.id = id;
-    impl->colliders[id.index] = record;
-    impl->dirty = true;
+    id = impl->add(api::record_of(desc));
     return Status::ok;
   });
   if (status != Status::ok) return status;
@@ -173,10 +184,7 @@ Status World::destroy_collider(ColliderId id) noexcept {
   api::ColliderRecord* collider = impl_->find(id);
   if (!collider) return impl_->stale("collider", id.index);
   return api::guarded(*impl_->context, [&] {
-    impl_->wake_touched(*collider, 0);
-    *collider = {};
-    impl_->collider_ids.give_back(id.index);
-    impl_->dirty = true;
+    impl_->remove(*collider);
     return Status::ok;
   });
 }
@@ -240,6 +248,28 @@ Status World::move_pins(ClothId id, View<uint32_t> vertices, PointView targets) 
       at->target = targets[i];
     }
     return Status::ok;
+  });
+}
+
+Status World::set_skinned_targets(ClothId id, PointView targets) noexcept {
+  const api::Entry entry(impl_);
+  if (!entry) return entry.status();
+  const api::ClothRecord* cloth = impl_->find(id);
+  if (!cloth) return impl_->stale("cloth", id.index);
+  return api::guarded(*impl_->context, [&] {
+    if (targets.count != cloth->cooked().vertices) {
+      throw InvalidInput(
+          text("targets has %u elements (the cloth has %u vertices) give one per vertex",
+               targets.count, cloth->cooked().vertices));
+    }
+    scene::check_view(targets.data, targets.count, "targets");
+    std::pmr::vector<uint32_t> vertices(&impl_->context->memory);
+    std::pmr::vector<double3> places(&impl_->context->memory);
+    for (const api::PinRecord& pin : cloth->pins) {
+      vertices.push_back(pin.vertex);
+      places.push_back(targets[pin.vertex]);
+    }
+    return move_pins(id, vertices, View<double3>(places));
   });
 }
 

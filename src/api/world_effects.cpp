@@ -111,6 +111,23 @@ void World::Impl::say_if_windless(const api::ClothRecord& cloth) {
            cloth.id.index));
 }
 
+void World::Impl::move(api::ColliderRecord& c, const api::Placed& to, Move how) {
+  const api::Placed from = path_of(c, time, 0).begin;
+  if (how == Move::teleport && !api::same_place(from, to)) wake_touched(c, 0);
+  c.placed = from;
+  c.velocity = {0, 0, 0};
+  c.since = time;
+  if (how == Move::teleport) {
+    c.placed = to;
+    c.gliding = false;
+    if (!api::same_place(from, to)) wake_touched(c, 0);
+    return;
+  }
+  c.target = to;
+  c.gliding = true;
+  if (!c.can_turn && !api::same_rotation(c.placed, to)) c.can_turn = dirty = true;
+}
+
 Status World::move_collider(ColliderId id, const Pose& pose, Move how) noexcept {
   const api::Entry entry(impl_);
   if (!entry) return entry.status();
@@ -119,21 +136,7 @@ Status World::move_collider(ColliderId id, const Pose& pose, Move how) noexcept 
   return api::guarded(*impl_->context, [&] {
     scene::check_choice(int(how), 2, "how", "simulate, teleport");
     const api::Placed base = c->shape == ColliderShape::mesh ? c->described : api::Placed{};
-    const api::Placed to = api::after(api::placed_by(pose, "pose"), base);
-    const api::Placed from = path_of(*c, impl_->time, 0).begin;
-    if (how == Move::teleport && !api::same_place(from, to)) impl_->wake_touched(*c, 0);
-    c->placed = from;
-    c->velocity = {0, 0, 0};
-    c->since = impl_->time;
-    if (how == Move::teleport) {
-      c->placed = to;
-      c->gliding = false;
-      if (!api::same_place(from, to)) impl_->wake_touched(*c, 0);
-      return Status::ok;
-    }
-    c->target = to;
-    c->gliding = true;
-    if (!c->can_turn && !api::same_rotation(c->placed, to)) c->can_turn = impl_->dirty = true;
+    impl_->move(*c, api::after(api::placed_by(pose, "pose"), base), how);
     return Status::ok;
   });
 }

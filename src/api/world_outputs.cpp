@@ -86,6 +86,7 @@ static api::VertexTarget target_of(const api::ClothRecord& cloth, api::OutputRec
 Status World::write_outputs(double alpha) noexcept {
   const api::Entry entry(impl_);
   if (!entry) return entry.status();
+  const api::Zone zone(*impl_->context, "weft write_outputs");
   return api::guarded(*impl_->context, [&] {
     if (!(alpha >= 0 && alpha <= 1)) {
       throw InvalidInput(

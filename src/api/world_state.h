@@ -22,6 +22,11 @@ struct EventRecord {
 };
 
 /// Names of PhaseTime, in order.
+struct ColliderSetRecord {
+  ColliderSetId id;
+  std::vector<ColliderId> members;  ///< spheres, planes, capsules, cylinders, boxes
+};
+
 /// A step between its begin and its end. The thread that makes it touches nothing of the world but
 /// this and the arena.
 struct Flight {
@@ -45,6 +50,7 @@ struct __attribute__((visibility("hidden"))) World::Impl {
 
   api::ClothRecord* find(ClothId) noexcept;
   api::ColliderRecord* find(ColliderId) noexcept;
+  api::ColliderSetRecord* find(ColliderSetId) noexcept;
   api::OutputRecord* find(OutputId) noexcept;
   Status stale(const char* what, uint32_t index) noexcept;
 
@@ -72,6 +78,9 @@ struct __attribute__((visibility("hidden"))) World::Impl {
   /// What a collider can touch between now and the end of a step of `dt` wakes up, if it moves.
   void wake_touched(const api::ColliderRecord&, double dt);
   void wake_by_colliders(double dt);
+  ColliderId add(api::ColliderRecord);
+  void move(api::ColliderRecord&, const api::Placed& to, Move);
+  void remove(api::ColliderRecord&);
   void wake_all() noexcept;
   /// Tells the log of a cloth that wind cannot move.
   void say_if_windless(const api::ClothRecord&);
@@ -88,6 +97,8 @@ struct __attribute__((visibility("hidden"))) World::Impl {
   std::vector<ClothId> order;                  ///< by creation
   std::vector<api::ColliderRecord> colliders;  ///< by slot; null id: free
   api::Slots<ColliderId> collider_ids;
+  std::vector<api::ColliderSetRecord> collider_sets;  ///< by slot; null id: free
+  api::Slots<ColliderSetId> collider_set_ids;
   std::vector<api::OutputRecord> outputs;  ///< by slot; null id: free
   api::Slots<OutputId> output_ids;
   std::optional<WindDesc> wind;

@@ -100,6 +100,7 @@ api::ArenaInput World::Impl::arena_input(uint32_t substeps) {
 Status World::Impl::ensure_built(double dt, uint32_t substeps) {
   const bool fits = built && built_substeps >= substeps;
   if (!dirty && fits && (!starting || built_dt == dt)) return Status::ok;
+  const api::Zone zone(*context, "weft prepare");
   Stopwatch watch(phases[api::phase_prepare].seconds);
   if (built) {
     const Status status = arena->save(*built);
@@ -250,6 +251,7 @@ Status World::Impl::begin(double dt, uint32_t substeps) {
 
 void World::Impl::fly() noexcept {
   flight.seconds = 0;
+  const api::Zone zone(*context, "weft step");
   const Stopwatch watch(flight.seconds);
   const double sub_dt = flight.dt / flight.substeps;
   const double before = dt_before > 0 ? dt_before : sub_dt;

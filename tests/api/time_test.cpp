@@ -115,6 +115,10 @@ TEST(StepInHalves, RefusesEverythingElseInBetween) {
   EXPECT_EQ(world.destroy_cloth(cloth), busy);
   EXPECT_EQ(world.create_sphere({}).status(), busy);
   EXPECT_EQ(world.destroy_collider({}), busy);
+  EXPECT_EQ(world.create_collider_set({}).status(), busy);
+  EXPECT_EQ(world.move_collider_set({}, {}), busy);
+  EXPECT_EQ(world.destroy_collider_set({}), busy);
+  EXPECT_EQ(world.set_skinned_targets(cloth, {}), busy);
   EXPECT_EQ(world.move_collider({}, {}), busy);
   EXPECT_EQ(world.move_pins(cloth, {first, 1}, weft::View<weft::double3>(out.data(), 1)), busy);
   EXPECT_EQ(world.release_pins(cloth, {first, 1}), busy);

@@ -104,6 +104,9 @@ static void outputs_and_time(weft_context* context) {
   weft_box_desc box = weft_default_box();
   weft_wind_desc wind = weft_default_wind();
   weft_pose pose = weft_default_pose();
+  weft_sphere_desc sphere = weft_default_sphere();
+  weft_collider_set_desc set_desc;
+  weft_collider_set_id set;
   weft_advance advance;
   weft_bounds bounds;
   weft_stability stability;
@@ -142,6 +145,17 @@ static void outputs_and_time(weft_context* context) {
   must(weft_move_collider(world, colliders[4], &pose, WEFT_MOVE_TELEPORT), "move");
   must(weft_destroy_collider(world, colliders[4]), "destroy collider");
   must_be(weft_destroy_collider(world, colliders[4]), WEFT_INVALID_HANDLE, "stale collider");
+  sphere.center.y = -20;
+  memset(&set_desc, 0, sizeof set_desc);
+  set_desc.spheres = view(&sphere, 1, sizeof sphere);
+  must(weft_create_collider_set(world, &set_desc, &set), "set");
+  sphere.center.y = -21;
+  must(weft_move_collider_set(world, set, &set_desc, WEFT_MOVE_SIMULATE), "move set");
+  sphere.radius = 3;
+  must_be(weft_move_collider_set(world, set, &set_desc, WEFT_MOVE_SIMULATE), WEFT_INVALID_ARGUMENT,
+          "a set that grows");
+  must(weft_destroy_collider_set(world, set), "destroy set");
+  must(weft_set_skinned_targets(world, cloth, points), "skinned targets");
   must(weft_set_wind(world, &wind), "wind");
   must(weft_clear_wind(world), "clear wind");
   must(weft_set_gravity(world, target), "gravity");

@@ -3,5 +3,6 @@
 
 #include "weft/context.hpp"
 #include "weft/core.hpp"
+#include "weft/debug_draw.hpp"
 #include "weft/fabric.hpp"
 #include "weft/world.hpp"

@@ -367,6 +367,7 @@ class WEFT_API World {
   /// Round all vertices after the last finished step; of a world that interpolates, and before it.
   /// Never waits.
   Result<Bounds> bounds(ClothId) const noexcept;
+  Status debug_draw(const struct DebugDraw&) noexcept;  ///< weft/debug_draw.hpp
 
   double time() const noexcept;
   /// World positions, m, one per vertex; `stride` bytes apart (at least the size of a point).

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "scene/grid.h"
+#include "scene/each_spring.h"
 
 namespace weft::scene {
 
@@ -18,40 +18,11 @@ static double spring_energy(const EnergyInput& in, uint32_t i, uint32_t j, doubl
   return 0.5 * stiffness * stretch * stretch;
 }
 
-static double grid_elastic(const EnergyInput& in) {
-  const GridShape& g = in.fabric.grid;
-  const StencilTable& table = stencil_table(g.stencil);
-  double sum = 0;
-  for (uint32_t v = 0; v < in.fabric.vertices; ++v) {
-    const int64_t row = v / g.columns, column = v % g.columns;
-    for (int k = table.count / 2; k < table.count; ++k) {
-      const StencilOffset o = table.offset[k];
-      if (!has_neighbour(g, row, column, o)) continue;
-      const auto j = static_cast<uint32_t>((row + o.row) * g.columns + column + o.column);
-      sum +=
-          spring_energy(in, v, j, stencil_stiffness(o, in.fabric.stiffness), in.fabric.rest_length);
-    }
-  }
-  return sum;
-}
-
-static double rows_elastic(const EnergyInput& in) {
-  const SpringRows& rows = in.fabric.rows;
-  double sum = 0;
-  for (uint32_t v = 0; v < in.fabric.vertices; ++v) {
-    for (uint64_t e = rows.start[v]; e < rows.start[size_t(v) + 1]; ++e) {
-      if (rows.neighbour[e] < v) continue;
-      const double k = rows.stiffness.empty() ? in.fabric.stiffness.stretch : rows.stiffness[e];
-      const double rest = rows.rest.empty() ? in.fabric.rest_length : rows.rest[e];
-      sum += spring_energy(in, v, rows.neighbour[e], k, rest);
-    }
-  }
-  return sum;
-}
-
 Energies energies(const EnergyInput& in) {
   Energies sum;
-  sum.elastic = in.fabric.is_grid ? grid_elastic(in) : rows_elastic(in);
+  each_spring(in.fabric, [&](uint32_t i, uint32_t j, double stiffness, double rest) {
+    sum.elastic += spring_energy(in, i, j, stiffness, rest);
+  });
   for (uint32_t i = 0; i < in.fabric.vertices; ++i) {
     if (in.pinned && (*in.pinned)[i]) continue;
     const double m = in.fabric.mass_of(i);

@@ -69,6 +69,11 @@ struct MeshDesc {
   View<uint32_t> indices;  ///< 3 per triangle, each below positions.count, three different ones
   bool bend = false;
   Material material;
+  /// m, in the rest shape; above 0, vertices nearer than this are one particle, as at the seams of
+  /// a render mesh. Pins, forces, velocities, positions and what is read are then by particle
+  /// (Fabric::read_particles); outputs are by vertex of `positions`, as ever. A triangle that loses
+  /// a corner is left out, and reported. Masses per vertex: a particle has its first vertex's.
+  double weld_distance = 0;
 };
 
 /// One spring of a network. `stiffness` N/m and `rest_length` m override the material when >= 0.
@@ -102,7 +107,10 @@ class WEFT_API Fabric {
   Fabric& operator=(Fabric) noexcept;
   ~Fabric();
 
-  uint32_t vertex_count() const noexcept;
+  uint32_t vertex_count() const noexcept;  ///< particles; of welded meshes fewer than were given
+  uint32_t render_vertex_count() const noexcept;  ///< as given: what an output writes
+  /// The particle of each of the vertices that were given; `out` has room for them.
+  Status read_particles(uint32_t* out) const noexcept;
   uint64_t spring_count() const noexcept;    ///< unique, undirected
   uint64_t triangle_count() const noexcept;  ///< none for a network
   /// Writes 3 vertex indices for each of triangles [first, first + count) to `out`.

@@ -133,6 +133,7 @@ typedef struct weft_mesh_desc {
   weft_view indices; /* uint32_t */
   bool bend;
   weft_material material;
+  double weld_distance;
 } weft_mesh_desc;
 typedef struct weft_spring {
   uint32_t a, b;

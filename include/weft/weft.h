@@ -62,6 +62,8 @@ WEFT_C_API weft_status weft_cook_collider_mesh(weft_context*, const weft_collide
                                                weft_collider_mesh** out);
 WEFT_C_API void weft_fabric_release(weft_fabric*);
 WEFT_C_API uint32_t weft_fabric_vertices(const weft_fabric*);
+WEFT_C_API uint32_t weft_fabric_render_vertices(const weft_fabric*);
+WEFT_C_API weft_status weft_fabric_read_particles(const weft_fabric*, uint32_t* out);
 WEFT_C_API uint64_t weft_fabric_springs(const weft_fabric*);
 WEFT_C_API uint64_t weft_fabric_triangles(const weft_fabric*);
 WEFT_C_API weft_status weft_fabric_read_triangles(const weft_fabric*, uint64_t first,

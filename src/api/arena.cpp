@@ -169,8 +169,8 @@ class ArenaOf final : public Arena {
     const scene::CookedFabric& fabric = cloth.cooked();
     if (fabric.vertices == 0) return Status::ok;
     VertexJob<T> job{};
-    job.vertices = static_cast<int>(fabric.vertices);
-    job.storage = fabric.is_grid ? nullptr : fabric.storage_of.data();
+    job.vertices = static_cast<int>(fabric.render_vertices());
+    job.storage = fabric.render_storage();
     job.alpha = static_cast<T>(before_.data ? target.alpha : 1);
     job.shift = {target.shift.x, target.shift.y, target.shift.z};
     job.last = target.last;

@@ -36,7 +36,7 @@ weft_grid_desc weft_default_grid(void) {
       d.rows, d.columns, d.width, d.height, static_cast<uint8_t>(d.stencil), api::to_c(d.material)};
 }
 weft_mesh_desc weft_default_mesh(void) {
-  return {{nullptr, 0, sizeof(double3), true}, {nullptr, 0, 4}, false, api::to_c(Material{})};
+  return {{nullptr, 0, sizeof(double3), true}, {nullptr, 0, 4}, false, api::to_c(Material{}), 0};
 }
 weft_network_desc weft_default_network(void) {
   return {{nullptr, 0, sizeof(double3), true}, {nullptr, 0, sizeof(Spring)}, api::to_c(Material{})};
@@ -157,6 +157,12 @@ weft_status weft_cook_collider_mesh(weft_context* c, const weft_collider_mesh_de
 }
 void weft_fabric_release(weft_fabric* f) { take_back(f); }
 uint32_t weft_fabric_vertices(const weft_fabric* f) { return f ? f->fabric.vertex_count() : 0; }
+uint32_t weft_fabric_render_vertices(const weft_fabric* f) {
+  return f ? f->fabric.render_vertex_count() : 0;
+}
+weft_status weft_fabric_read_particles(const weft_fabric* f, uint32_t* out) {
+  return f ? number(f->fabric.read_particles(out)) : no_object;
+}
 uint64_t weft_fabric_springs(const weft_fabric* f) { return f ? f->fabric.spring_count() : 0; }
 uint64_t weft_fabric_triangles(const weft_fabric* f) { return f ? f->fabric.triangle_count() : 0; }
 weft_status weft_fabric_read_triangles(const weft_fabric* f, uint64_t first, uint64_t count,

@@ -51,7 +51,8 @@ GridDesc from_c(const weft_grid_desc& d) {
   return out;
 }
 MeshDesc from_c(const weft_mesh_desc& d) {
-  return {from_c(d.positions), from_c<uint32_t>(d.indices), d.bend, from_c(d.material)};
+  return {from_c(d.positions), from_c<uint32_t>(d.indices), d.bend, from_c(d.material),
+          d.weld_distance};
 }
 NetworkDesc from_c(const weft_network_desc& d) {
   static_assert(sizeof(Spring) == sizeof(weft_spring));

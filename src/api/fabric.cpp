@@ -18,6 +18,20 @@ Fabric::~Fabric() {
 }
 
 uint32_t Fabric::vertex_count() const noexcept { return impl_ ? impl_->cooked.vertices : 0; }
+uint32_t Fabric::render_vertex_count() const noexcept {
+  return impl_ ? impl_->cooked.render_vertices() : 0;
+}
+Status Fabric::read_particles(uint32_t* out) const noexcept {
+  const uint32_t count = render_vertex_count();
+  if (count == 0) return Status::ok;
+  if (!out) {
+    return impl_->context->fail(Status::invalid_argument,
+                                "particles into a null pointer (there is no room) give a buffer");
+  }
+  const auto& particle_of = impl_->cooked.particle_of;
+  for (uint32_t v = 0; v < count; ++v) out[v] = particle_of.empty() ? v : particle_of[v];
+  return Status::ok;
+}
 uint64_t Fabric::spring_count() const noexcept { return impl_ ? impl_->cooked.springs : 0; }
 uint64_t Fabric::triangle_count() const noexcept {
   return impl_ ? scene::triangle_count(impl_->cooked) : 0;

@@ -21,7 +21,7 @@ Result<OutputId> World::bind_output(ClothId id, const OutputDesc& desc) noexcept
   if (!cloth) return impl_->stale("cloth", id.index);
   OutputId made;
   const Status status = api::guarded(*impl_->context, [&] {
-    const uint32_t vertices = cloth->cooked().vertices;
+    const uint32_t vertices = cloth->cooked().render_vertices();
     api::check_output(desc, vertices);
     api::OutputRecord record;
     record.cloth = id;
@@ -57,7 +57,7 @@ Status World::set_output_memory(OutputId id, void* memory, uint64_t bytes) noexc
     changed.memory = memory;
     changed.bytes = bytes;
     if (memory || bytes > 0) {
-      api::check_memory(changed, impl_->find(output->cloth)->cooked().vertices);
+      api::check_memory(changed, impl_->find(output->cloth)->cooked().render_vertices());
     }
     output->desc = changed;
     return Status::ok;

@@ -45,7 +45,9 @@ struct CookedFabric {
         rows(memory),
         caller_of(memory),
         storage_of(memory),
-        slice_start(memory) {}
+        slice_start(memory),
+        particle_of(memory),
+        storage_of_render(memory) {}
 
   bool is_grid = false;
   uint32_t vertices = 0;
@@ -65,8 +67,20 @@ struct CookedFabric {
   Array<uint32_t> storage_of;  ///< by caller index
   Array<int64_t> slice_start;  ///< per slice of 32 and one more: first entry of the sliced rows
 
+  // Of welded meshes, by vertex as it was given; else empty.
+  Array<uint32_t> particle_of;
+  Array<uint32_t> storage_of_render;
+
   std::vector<CookedDiagnostic> diagnostics;
 
+  uint32_t render_vertices() const {
+    return particle_of.empty() ? vertices : static_cast<uint32_t>(particle_of.size());
+  }
+  /// Storage index by vertex as it was given; null: the same.
+  const uint32_t* render_storage() const {
+    if (is_grid) return nullptr;
+    return particle_of.empty() ? storage_of.data() : storage_of_render.data();
+  }
   double mass_of(uint32_t v) const { return masses.empty() ? mass : masses[v]; }
   double3 position_of(uint32_t v) const {
     if (!is_grid) return positions[v];

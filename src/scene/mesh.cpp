@@ -3,6 +3,7 @@
 #include "base/message_host.h"
 #include "scene/check.h"
 #include "scene/rows.h"
+#include "scene/weld.h"
 
 namespace weft::scene {
 
@@ -75,12 +76,7 @@ void merge_bend(std::vector<SpringRecord>& springs, std::vector<SpringRecord>& b
   }
 }
 
-}  // namespace
-
-void cook_mesh(const MeshDesc& desc, CookedFabric& fabric) {
-  check_positions(desc.positions, "positions");
-  check_triangles(desc);
-  check_material(desc.material, desc.positions.count);
+void cook_checked(const MeshDesc& desc, CookedFabric& fabric) {
   store_positions(desc.positions, desc.material.scale, fabric);
   fabric.stiffness = desc.material.stiffness;
   fabric.rest_length = desc.material.rest_length;
@@ -104,6 +100,27 @@ void cook_mesh(const MeshDesc& desc, CookedFabric& fabric) {
   if (desc.bend) merge_bend(springs, bend, fabric);
   build_rows(springs, fabric);
   set_masses(desc.material.mass, fabric);
+}
+
+}  // namespace
+
+void cook_mesh(const MeshDesc& desc, CookedFabric& fabric) {
+  check_positions(desc.positions, "positions");
+  check_triangles(desc);
+  check_material(desc.material, desc.positions.count);
+  check_not_negative(desc.weld_distance, "weld_distance");
+  if (desc.weld_distance == 0) return cook_checked(desc, fabric);
+  const Welded welded = weld(desc);
+  cook_checked(welded.mesh, fabric);
+  if (welded.dropped > 0) {
+    fabric.diagnostics.push_back(
+        {Severity::warning, 0,
+         text("%u triangles lost a corner to welding and are left out", welded.dropped)});
+  }
+  fabric.particle_of.assign(welded.particle_of.begin(), welded.particle_of.end());
+  for (const uint32_t p : welded.particle_of) {
+    fabric.storage_of_render.push_back(fabric.storage_of[p]);
+  }
 }
 
 }  // namespace weft::scene

@@ -262,6 +262,22 @@ typedef struct weft_event {
   double time;
   const char* text;
 } weft_event;
+typedef struct weft_diagnostic {
+  uint8_t severity;
+  uint32_t element;
+  const char* text;
+} weft_diagnostic;
+typedef struct weft_pass {
+  const char *stage, *per, *kernel;
+  uint64_t count;
+  double bytes_per_particle, flops_per_particle;
+} weft_pass;
+typedef struct weft_debug_draw {
+  void* user;
+  void (*line)(void* user, weft_double3 a, weft_double3 b, uint32_t rgba);
+  uint32_t what; /* 1 springs, 2 pins, 4 colliders, 8 bounds */
+  double full_strain;
+} weft_debug_draw;
 typedef struct weft_mechanics {
   double kinetic, elastic, potential;
   weft_double3 momentum;

@@ -68,6 +68,9 @@ WEFT_C_API uint64_t weft_fabric_springs(const weft_fabric*);
 WEFT_C_API uint64_t weft_fabric_triangles(const weft_fabric*);
 WEFT_C_API weft_status weft_fabric_read_triangles(const weft_fabric*, uint64_t first,
                                                   uint64_t count, uint32_t* out);
+WEFT_C_API uint32_t weft_fabric_diagnostics(const weft_fabric*);
+/* `index` below weft_fabric_diagnostics, else zeros. The text lives as long as the fabric. */
+WEFT_C_API weft_diagnostic weft_fabric_diagnostic(const weft_fabric*, uint32_t index);
 WEFT_C_API void weft_collider_mesh_release(weft_collider_mesh*);
 
 WEFT_C_API weft_status weft_world_create(weft_context*, const weft_world_desc*, weft_world** out);
@@ -123,6 +126,11 @@ WEFT_C_API weft_status weft_set_output_memory(weft_world*, weft_output_id, void*
 WEFT_C_API weft_status weft_write_outputs(weft_world*, double alpha);
 WEFT_C_API weft_status weft_cloth_bounds(const weft_world*, weft_cloth_id, weft_bounds* out);
 WEFT_C_API weft_status weft_cloth_stability(weft_world*, weft_cloth_id, weft_stability* out);
+WEFT_C_API weft_stability weft_world_stability(weft_world*);
+/* Up to `room` passes; `out` may be null for none. `count`: how many there are. */
+WEFT_C_API weft_status weft_plan(weft_world*, weft_pass* out, uint32_t room, uint32_t* count);
+WEFT_C_API weft_debug_draw weft_default_debug_draw(void);
+WEFT_C_API weft_status weft_draw(weft_world*, const weft_debug_draw*);
 WEFT_C_API uint32_t weft_event_count(const weft_world*);
 /* Of the last step; `index` below weft_event_count, else zeros. The text is valid until the next.
  */
@@ -132,6 +140,7 @@ WEFT_C_API double weft_time(const weft_world*);
 WEFT_C_API weft_status weft_read_positions(weft_world*, weft_cloth_id, weft_double3* out,
                                            uint32_t stride);
 WEFT_C_API weft_status weft_read_velocities(weft_world*, weft_cloth_id, weft_double3* out);
+WEFT_C_API weft_status weft_read_accelerations(weft_world*, weft_cloth_id, weft_double3* out);
 WEFT_C_API weft_status weft_read_normals(weft_world*, weft_cloth_id, weft_double3* out,
                                          uint32_t stride);
 WEFT_C_API weft_status weft_read_mechanics(weft_world*, weft_mechanics* out);

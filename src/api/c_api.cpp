@@ -169,6 +169,14 @@ weft_status weft_fabric_read_triangles(const weft_fabric* f, uint64_t first, uin
                                        uint32_t* out) {
   return f ? number(f->fabric.read_triangles(first, count, out)) : no_object;
 }
+uint32_t weft_fabric_diagnostics(const weft_fabric* f) {
+  return f ? f->fabric.diagnostics().count : 0;
+}
+weft_diagnostic weft_fabric_diagnostic(const weft_fabric* f, uint32_t index) {
+  if (index >= weft_fabric_diagnostics(f)) return {};
+  const Diagnostic& d = f->fabric.diagnostics()[index];
+  return {static_cast<uint8_t>(d.severity), d.element, d.text};
+}
 void weft_collider_mesh_release(weft_collider_mesh* m) { take_back(m); }
 
 weft_status weft_world_create(weft_context* c, const weft_world_desc* desc, weft_world** out) {

@@ -200,6 +200,44 @@ weft_status weft_cloth_stability(weft_world* w, weft_cloth_id id, weft_stability
         made = {s.dt_bound, api::to_c(s.cloth), s.a, s.b};
       });
 }
+weft_stability weft_world_stability(weft_world* w) {
+  if (!w) return {};
+  const Stability s = w->world.stability();
+  return {s.dt_bound, api::to_c(s.cloth), s.a, s.b};
+}
+weft_status weft_plan(weft_world* w, weft_pass* out, uint32_t room, uint32_t* count) {
+  return take(
+      w, count, [](World& world) { return world.plan(); },
+      [&](const PlanInfo& plan, uint32_t& number_of) {
+        number_of = plan.passes.count;
+        for (uint32_t i = 0; out && i < room && i < number_of; ++i) {
+          const PassInfo& p = plan.passes[i];
+          out[i] = {p.stage, p.per, p.kernel, p.count, p.bytes_per_particle, p.flops_per_particle};
+        }
+      });
+}
+weft_debug_draw weft_default_debug_draw(void) {
+  const DebugDraw d;
+  return {nullptr, nullptr, d.what, d.full_strain};
+}
+weft_status weft_draw(weft_world* w, const weft_debug_draw* d) {
+  return on(
+      w,
+      [&](World& world) {
+        DebugDraw draw;
+        draw.what = d->what;
+        draw.full_strain = d->full_strain;
+        draw.user = const_cast<weft_debug_draw*>(d);
+        if (d->line) {
+          draw.line = [](void* user, double3 a, double3 b, uint32_t rgba) {
+            const auto* in_c = static_cast<const weft_debug_draw*>(user);
+            in_c->line(in_c->user, api::to_c(a), api::to_c(b), rgba);
+          };
+        }
+        return world.debug_draw(draw);
+      },
+      d);
+}
 uint32_t weft_event_count(const weft_world* w) { return w ? w->world.events().count : 0; }
 weft_event weft_event_at(const weft_world* w, uint32_t index) {
   if (index >= weft_event_count(w)) return {};
@@ -226,6 +264,11 @@ weft_status weft_read_positions(weft_world* w, weft_cloth_id id, weft_double3* o
 weft_status weft_read_velocities(weft_world* w, weft_cloth_id id, weft_double3* out) {
   return on(w, [&](World& world) {
     return world.read_velocities(api::id_from_c<ClothId>(id), reinterpret_cast<double3*>(out));
+  });
+}
+weft_status weft_read_accelerations(weft_world* w, weft_cloth_id id, weft_double3* out) {
+  return on(w, [&](World& world) {
+    return world.read_accelerations(api::id_from_c<ClothId>(id), reinterpret_cast<double3*>(out));
   });
 }
 weft_status weft_read_normals(weft_world* w, weft_cloth_id id, weft_double3* out, uint32_t stride) {

@@ -69,6 +69,11 @@ static uint64_t fall(weft_context* context) {
   return hash;
 }
 
+static void count_line(void* user, weft_double3 a, weft_double3 b, uint32_t rgba) {
+  (void)rgba;
+  if (fabs(a.x) < 100 && fabs(b.x) < 100) ++*(int*)user;
+}
+
 static void outputs_and_time(weft_context* context) {
   weft_mesh_desc mesh = weft_default_mesh();
   weft_network_desc network = weft_default_network();
@@ -112,7 +117,10 @@ static void outputs_and_time(weft_context* context) {
   weft_stability stability;
   weft_mechanics mechanics;
   weft_double3 out[4];
-  uint32_t substeps = 0;
+  weft_pass passes[2];
+  weft_debug_draw draw = weft_default_debug_draw();
+  uint32_t substeps = 0, pass_count = 0, particles[4];
+  int lines = 0;
   bool asleep = true;
   float y = 0;
   int i;
@@ -188,6 +196,20 @@ static void outputs_and_time(weft_context* context) {
   hold(mechanics.kinetic > 0, "no kinetic energy");
   must(weft_cloth_stability(world, cloth, &stability), "stability");
   hold(stability.dt_bound > 0, "no bound");
+  hold(weft_world_stability(world).dt_bound <= stability.dt_bound, "the world's bound");
+  must(weft_read_accelerations(world, cloth, out), "accelerations");
+  must(weft_plan(world, passes, 2, &pass_count), "plan");
+  hold(pass_count > 2 && strlen(passes[1].kernel) > 0, "passes");
+  draw.user = &lines;
+  must_be(weft_draw(world, &draw), WEFT_INVALID_ARGUMENT, "nowhere to draw");
+  draw.line = count_line;
+  must(weft_draw(world, &draw), "draw");
+  hold(lines > 30, "lines");
+  hold(weft_fabric_render_vertices(fabric) == 4 && weft_fabric_diagnostics(fabric) == 0 &&
+           weft_fabric_diagnostic(fabric, 0).text == NULL,
+       "diagnostics");
+  must(weft_fabric_read_particles(fabric, particles), "particles");
+  hold(particles[3] == 3, "particles");
   must(weft_asleep(world, cloth, &asleep), "asleep");
   hold(!asleep && weft_event_count(world) == 0 && weft_event_at(world, 3).text == NULL, "events");
   must(weft_wake(world, cloth), "wake");

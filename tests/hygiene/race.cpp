@@ -27,7 +27,7 @@ int main(int argc, char**) {
   constexpr int blocks = 256;
   std::vector<float> a(blocks * weft::block_size, 1.0f);
   std::vector<float> b(a.size());
-  const weft::WEFT_BACKEND_NS::Exec exec(2);
+  const weft::WEFT_BACKEND_NS::Exec exec(1000, 2);  // blocks enough for both threads
   exec.frame([&](const auto& team) {
     float* in = a.data();
     float* out = b.data();

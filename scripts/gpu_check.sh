@@ -98,7 +98,7 @@ build() {
   cmake --build "$build" --parallel "$jobs" --target weft_cli $(test_targets)
 }
 
-test_folders=(backend kernels physics stability determinism)
+test_folders=(backend kernels api physics stability determinism)
 test_targets() { printf 'tests/%s/all ' "${test_folders[@]}"; }
 
 # Worlds of the tests are made on the GPU, where tiny steps take long; several programs run at once.

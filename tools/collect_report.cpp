@@ -2,10 +2,16 @@
 
 namespace weft::tools {
 
+/// Sleep is a number of the report, not an event of its format.
+static bool is_reported(EventType type) {
+  return type != EventType::slept && type != EventType::woke;
+}
+
 void collect_events(const io::Simulation& made, std::vector<io::ReportEvent>& events) {
   const View<Event> latest = made.world.events();
   for (uint32_t i = 0; i < latest.count; ++i) {
     const Event& event = latest[i];
+    if (!is_reported(event.type)) continue;
     const size_t cloth = made.index_of(event.cloth);
     io::ReportEvent entry{
         to_string(event.type), {}, event.vertex, event.time, event.text ? event.text : ""};

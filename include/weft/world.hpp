@@ -354,8 +354,8 @@ class WEFT_API World {
   Stats stats() const noexcept;
   View<Event> events() const noexcept;  ///< of the last step; valid until the next
 
-  /// Errors: a null buffer size with memory too small, strides below the size, attributes that
-  /// overlap, formats that do not fit the attribute. An output goes with its cloth.
+  /// Errors: a buffer that is too small, or null with a size; strides below the format's size,
+  /// attributes that overlap, formats that do not fit. An output goes with its cloth.
   Result<OutputId> bind_output(ClothId, const OutputDesc&) noexcept;
   Status unbind_output(OutputId) noexcept;
   /// For engines that map a new address every frame. `bytes` as in OutputDesc.

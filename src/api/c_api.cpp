@@ -4,10 +4,7 @@
 #include "api/c_types.h"
 
 using namespace weft;  // NOLINT: this file is nothing but calls of it
-
-static weft_status number(Status status) { return static_cast<weft_status>(status); }
-static constexpr weft_status no_object = static_cast<weft_status>(Status::invalid_handle);
-static constexpr weft_status no_argument = static_cast<weft_status>(Status::invalid_argument);
+using api::number;
 
 /// A new object of weft.h that holds what was made.
 template <class Holder, class Made>
@@ -26,6 +23,7 @@ static void take_back(Holder* holder) {
   delete holder;
   weft_context_release(owner);
 }
+
 const char* weft_status_text(weft_status status) { return to_string(static_cast<Status>(status)); }
 const char* weft_build_info(void) { return build_info(); }
 
@@ -109,7 +107,7 @@ static void say_in_c(void* user, Severity severity, const char* text) {
 
 weft_status weft_context_create(const weft_context_desc* desc, uint32_t abi, weft_context** out) {
   static_assert(WEFT_C_ABI == WEFT_ABI);
-  if (!out) return no_argument;
+  if (!out) return WEFT_INVALID_ARGUMENT;
   auto* made = new (std::nothrow) weft_context;
   if (!made) return number(Status::out_of_memory);
   ContextDesc cpp = desc ? api::from_c(*desc) : ContextDesc{};
@@ -138,8 +136,8 @@ uint64_t weft_context_bytes(const weft_context* c) { return c ? c->context.bytes
 
 template <class Desc, class Holder>
 static weft_status cook(weft_context* c, const Desc* desc, Holder** out) {
-  if (!c) return no_object;
-  if (!desc || !out) return no_argument;
+  if (!c) return WEFT_INVALID_HANDLE;
+  if (!desc || !out) return WEFT_INVALID_ARGUMENT;
   return hand_over(c, c->context.cook(api::from_c(*desc)), out);
 }
 weft_status weft_cook_grid(weft_context* c, const weft_grid_desc* d, weft_fabric** out) {
@@ -161,13 +159,13 @@ uint32_t weft_fabric_render_vertices(const weft_fabric* f) {
   return f ? f->fabric.render_vertex_count() : 0;
 }
 weft_status weft_fabric_read_particles(const weft_fabric* f, uint32_t* out) {
-  return f ? number(f->fabric.read_particles(out)) : no_object;
+  return f ? number(f->fabric.read_particles(out)) : WEFT_INVALID_HANDLE;
 }
 uint64_t weft_fabric_springs(const weft_fabric* f) { return f ? f->fabric.spring_count() : 0; }
 uint64_t weft_fabric_triangles(const weft_fabric* f) { return f ? f->fabric.triangle_count() : 0; }
 weft_status weft_fabric_read_triangles(const weft_fabric* f, uint64_t first, uint64_t count,
                                        uint32_t* out) {
-  return f ? number(f->fabric.read_triangles(first, count, out)) : no_object;
+  return f ? number(f->fabric.read_triangles(first, count, out)) : WEFT_INVALID_HANDLE;
 }
 uint32_t weft_fabric_diagnostics(const weft_fabric* f) {
   return f ? f->fabric.diagnostics().count : 0;
@@ -180,8 +178,8 @@ weft_diagnostic weft_fabric_diagnostic(const weft_fabric* f, uint32_t index) {
 void weft_collider_mesh_release(weft_collider_mesh* m) { take_back(m); }
 
 weft_status weft_world_create(weft_context* c, const weft_world_desc* desc, weft_world** out) {
-  if (!c) return no_object;
-  if (!out) return no_argument;
+  if (!c) return WEFT_INVALID_HANDLE;
+  if (!out) return WEFT_INVALID_ARGUMENT;
   return hand_over(c, c->context.create_world(desc ? api::from_c(*desc) : WorldDesc{}), out);
 }
 void weft_world_release(weft_world* w) { take_back(w); }

@@ -8,6 +8,8 @@
 
 namespace weft::api {
 
+static_assert(WEFT_IN_FLIGHT == int(Status::in_flight));
+inline weft_status number(Status status) { return static_cast<weft_status>(status); }
 inline double3 from_c(weft_double3 v) { return {v.x, v.y, v.z}; }
 inline weft_double3 to_c(const double3& v) { return {v.x, v.y, v.z}; }
 template <class T>

@@ -2,16 +2,13 @@
 #include "api/c_types.h"
 
 using namespace weft;  // NOLINT: this file is nothing but calls of it
-
-static weft_status number(Status status) { return static_cast<weft_status>(status); }
-static constexpr weft_status no_object = static_cast<weft_status>(Status::invalid_handle);
-static constexpr weft_status no_argument = static_cast<weft_status>(Status::invalid_argument);
+using api::number;
 
 /// Runs `call(world)` where there is a world, and every pointer it needs.
 template <class Call, class... Needed>
 static weft_status on(weft_world* w, Call call, const Needed*... needed) {
-  if (!w) return no_object;
-  if (((needed == nullptr) || ... || false)) return no_argument;
+  if (!w) return WEFT_INVALID_HANDLE;
+  if (((needed == nullptr) || ... || false)) return WEFT_INVALID_ARGUMENT;
   return number(call(w->world));
 }
 /// The same for a call that makes a value.
@@ -187,8 +184,8 @@ weft_status weft_write_outputs(weft_world* w, double alpha) {
   return on(w, [&](World& world) { return world.write_outputs(alpha); });
 }
 weft_status weft_cloth_bounds(const weft_world* w, weft_cloth_id id, weft_bounds* out) {
-  if (!w) return no_object;
-  if (!out) return no_argument;
+  if (!w) return WEFT_INVALID_HANDLE;
+  if (!out) return WEFT_INVALID_ARGUMENT;
   const auto b = w->world.bounds(api::id_from_c<ClothId>(id));
   if (b) *out = {api::to_c((*b).low), api::to_c((*b).high)};
   return number(b.status());

@@ -67,7 +67,7 @@ void set_start(const ClothDesc& desc, uint32_t vertices, ClothRecord& cloth) {
     for (uint32_t v = 0; v < vertices; ++v) cloth.positions[v] = desc.positions[v];
   }
   if (!desc.velocities.empty()) {
-    scene::check_view(desc.velocities.data, desc.velocities.count, "velocities");
+    scene::check_view(desc.velocities, "velocities");
     if (desc.velocities.count != vertices) {
       throw InvalidInput(
           text("velocities has %u elements (the cloth has %u vertices) give one per "
@@ -83,8 +83,8 @@ void set_start(const ClothDesc& desc, uint32_t vertices, ClothRecord& cloth) {
 }
 
 void set_pins(const ClothDesc& desc, uint32_t vertices, ClothRecord& cloth) {
-  scene::check_view(desc.pins.data, desc.pins.count, "pins");
-  scene::check_view(desc.motions.data, desc.motions.count, "motions");
+  scene::check_view(desc.pins, "pins");
+  scene::check_view(desc.motions, "motions");
   for (uint32_t m = 0; m < desc.motions.count; ++m) {
     const PinMotion& motion = desc.motions[m];
     checked_vector(motion.velocity, text("motions[%u].velocity", m).c_str());
@@ -122,7 +122,7 @@ void set_pins(const ClothDesc& desc, uint32_t vertices, ClothRecord& cloth) {
 
 void checked_forces(View<VertexForce> forces, uint32_t vertices,
                     std::pmr::vector<VertexForce>& out) {
-  scene::check_view(forces.data, forces.count, "forces");
+  scene::check_view(forces, "forces");
   for (uint32_t i = 0; i < forces.count; ++i) {
     check_vertex(forces[i].vertex, vertices, "forces", i);
     checked_vector(forces[i].force, text("forces[%u]", i).c_str());

@@ -2,8 +2,8 @@
 #include <atomic>
 #include <cmath>
 
-#include "api/vector_math.h"
 #include "api/entry.h"
+#include "api/vector_math.h"
 #include "api/world_state.h"
 #include "scene/check.h"
 
@@ -191,7 +191,7 @@ Status World::destroy_collider(ColliderId id) noexcept {
 
 /// Every vertex must exist; `pinned`: each must have a pin.
 static void check_vertices(const api::ClothRecord& cloth, View<uint32_t> vertices, bool pinned) {
-  scene::check_view(vertices.data, vertices.count, "vertices");
+  scene::check_view(vertices, "vertices");
   for (uint32_t i = 0; i < vertices.count; ++i) {
     if (vertices[i] >= cloth.cooked().vertices) {
       throw InvalidInput(
@@ -262,7 +262,7 @@ Status World::set_skinned_targets(ClothId id, PointView targets) noexcept {
           text("targets has %u elements (the cloth has %u vertices) give one per vertex",
                targets.count, cloth->cooked().vertices));
     }
-    scene::check_view(targets.data, targets.count, "targets");
+    scene::check_positions(targets, "targets");
     std::pmr::vector<uint32_t> vertices(&impl_->context->memory);
     std::pmr::vector<double3> places(&impl_->context->memory);
     for (const api::PinRecord& pin : cloth->pins) {

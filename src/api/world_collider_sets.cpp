@@ -17,7 +17,7 @@ struct Described {
 
 template <class Desc>
 void describe(View<Desc> views, const char* name, Described& out) {
-  scene::check_view(views.data, views.count, name);
+  scene::check_view(views, name);
   for (uint32_t i = 0; i < views.count; ++i) {
     out.names.push_back(text("%s[%u]", name, i));
     try {

@@ -2,8 +2,8 @@
 // colliders; and who sleeps through it.
 #include <cmath>
 
-#include "api/vector_math.h"
 #include "api/entry.h"
+#include "api/vector_math.h"
 #include "api/world_state.h"
 #include "scene/check.h"
 

@@ -4,8 +4,8 @@
 #include <limits>
 
 #include "api/collider_mesh_arrays.h"
-#include "api/vector_math.h"
 #include "api/entry.h"
+#include "api/vector_math.h"
 #include "api/world_state.h"
 #include "scene/fan.h"
 #include "scene/stability.h"

@@ -34,12 +34,19 @@ void check_choice(int value, int count, const char* field, const char* names) {
     throw InvalidInput(text("%s is %d (it is none of %s) give one of them", field, value, names));
   }
 }
-void check_view(const void* data, uint64_t count, const char* field) {
+void check_view(const void* data, uint64_t count, uint32_t stride, size_t element,
+                const char* field) {
   if (count > 0 && data == nullptr) {
     throw InvalidInput(
         text("%s has %llu elements and a null pointer (there is nothing to read) "
              "give the data or a count of 0",
              field, static_cast<unsigned long long>(count)));
+  }
+  if (count > 1 && stride < element) {
+    throw InvalidInput(
+        text("%s has a stride of %u bytes (an element takes %zu) give the distance from one to the "
+             "next",
+             field, stride, element));
   }
 }
 
@@ -51,7 +58,7 @@ void check_material(const Material& m, uint32_t vertices) {
   check_positive(m.scale, "scale");
   check_choice(int(m.mass.kind), 3, "mass.kind", "total, density, per_vertex");
   if (m.mass.kind != Mass::Kind::per_vertex) return check_positive(m.mass.value, "mass");
-  check_view(m.mass.values.data, m.mass.values.count, "mass.values");
+  check_view(m.mass.values, "mass.values");
   if (m.mass.values.count != vertices) {
     throw InvalidInput(
         text("mass.values has %u elements (the fabric has %u vertices) give one mass "
@@ -71,14 +78,7 @@ void check_material(const Material& m, uint32_t vertices) {
 }
 
 void check_positions(PointView p, const char* field) {
-  check_view(p.data, p.count, field);
-  const uint32_t point = p.is_double ? sizeof(double3) : sizeof(float3);
-  if (p.count > 1 && p.stride < point) {
-    throw InvalidInput(
-        text("%s has a stride of %u bytes (a point takes %u) give the distance from "
-             "point to point",
-             field, p.stride, point));
-  }
+  check_view(p.data, p.count, p.stride, p.is_double ? sizeof(double3) : sizeof(float3), field);
   for (uint32_t v = 0; v < p.count; ++v) {
     const double3 x = p[v];
     for (const double c : {x.x, x.y, x.z}) {

@@ -16,7 +16,12 @@ void check_positive(double value, const char* field);
 /// An enumerator must be one of the first `count`; `names` lists them.
 void check_choice(int value, int count, const char* field, const char* names);
 /// A view that has a count must have data.
-void check_view(const void* data, uint64_t count, const char* field);
+void check_view(const void* data, uint64_t count, uint32_t stride, size_t element,
+                const char* field);
+template <class T>
+void check_view(const View<T>& view, const char* field) {
+  check_view(view.data, view.count, view.stride, sizeof(T), field);
+}
 void check_material(const Material&, uint32_t vertices);
 void check_positions(PointView, const char* field);
 /// Copies positions, scaled.

@@ -52,7 +52,7 @@ constexpr double least_height = 1e-10;
 Point point(double3 p) { return {p.x, p.y, p.z}; }
 
 void check_indices(const ColliderMeshDesc& desc) {
-  check_view(desc.indices.data, desc.indices.count, "indices");
+  check_view(desc.indices, "indices");
   if (desc.indices.count % 3 != 0) {
     throw InvalidInput(text("indices has %u elements (three make a triangle) give a multiple of 3",
                             desc.indices.count));

@@ -18,7 +18,7 @@ struct Side {
 };
 
 void check_triangles(const MeshDesc& desc) {
-  check_view(desc.indices.data, desc.indices.count, "indices");
+  check_view(desc.indices, "indices");
   if (desc.indices.count % 3 != 0) {
     throw InvalidInput(text("indices has %u elements (three make a triangle) give a multiple of 3",
                             desc.indices.count));

@@ -32,7 +32,7 @@ void check_spring(const Spring& s, uint32_t index, uint32_t vertices) {
 
 void cook_network(const NetworkDesc& desc, CookedFabric& fabric) {
   check_positions(desc.positions, "positions");
-  check_view(desc.springs.data, desc.springs.count, "springs");
+  check_view(desc.springs, "springs");
   check_material(desc.material, desc.positions.count);
   store_positions(desc.positions, desc.material.scale, fabric);
   fabric.stiffness = desc.material.stiffness;

@@ -156,6 +156,9 @@ TEST(ColliderSets, WhatIsRefusedMovesNothing) {
   desc = to.desc();
   desc.planes.data = nullptr;
   refused(desc, "planes");
+  desc = to.desc();
+  desc.spheres.stride = 16;
+  refused(desc, "spheres has a stride of 16 bytes");
   EXPECT_EQ(world.create_collider_set(changed.desc()).status(), weft::Status::invalid_argument);
   test.test.step(1.0 / 60, 10);
   still.test.step(1.0 / 60, 10);
@@ -199,6 +202,11 @@ TEST(SkinnedTargets, MoveThePinsAndNothingElse) {
             weft::Status::invalid_argument);
   EXPECT_EQ(skinned.world().set_skinned_targets(a, weft::View<weft::float3>(nullptr, 144)),
             weft::Status::invalid_argument);
+  targets.push_back({0, 0, 0});
+  EXPECT_EQ(
+      skinned.world().set_skinned_targets(a, weft::View<weft::float3>(targets.data(), 144, 8)),
+      weft::Status::invalid_argument);
+  EXPECT_NE(skinned.log().find("a stride of 8 bytes"), std::string::npos);
 }
 
 TEST(ProfilerHook, SeesBalancedZonesOfEveryKind) {

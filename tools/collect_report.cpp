@@ -1,5 +1,7 @@
 #include "collect_report.h"
 
+#include <algorithm>
+
 namespace weft::tools {
 
 /// Sleep is a number of the report, not an event of its format.
@@ -52,6 +54,7 @@ void collect_figures(const io::Scene& scene, io::Simulation& made, io::Report& r
     report.phases.push_back({stats.phases[i].name, stats.phases[i].seconds});
   }
   report.mechanics = *made.world.mechanics();
+  report.largest_stretch = std::max(report.largest_stretch, report.mechanics.stretch);
   report.state_hash = *made.world.state_hash();
   report.asleep = 0;
   for (const ClothId cloth : made.cloths) report.asleep += *made.world.asleep(cloth) ? 1 : 0;

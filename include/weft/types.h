@@ -281,6 +281,7 @@ typedef struct weft_debug_draw {
 typedef struct weft_mechanics {
   double kinetic, elastic, potential;
   weft_double3 momentum;
+  double stretch;
 } weft_mechanics;
 typedef struct weft_stats {
   uint64_t particles, springs, frames, steps;

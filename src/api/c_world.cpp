@@ -277,7 +277,7 @@ weft_status weft_read_mechanics(weft_world* w, weft_mechanics* out) {
   return take(
       w, out, [](World& world) { return world.mechanics(); },
       [](const Mechanics& m, weft_mechanics& made) {
-        made = {m.kinetic, m.elastic, m.potential, api::to_c(m.momentum)};
+        made = {m.kinetic, m.elastic, m.potential, api::to_c(m.momentum), m.stretch};
       });
 }
 weft_status weft_state_hash(weft_world* w, uint64_t* out) {

@@ -154,7 +154,7 @@ Status World::read_velocities(ClothId id, double3* out) noexcept {
 Result<Mechanics> World::mechanics() noexcept {
   const api::Entry entry(impl_);
   if (!entry) return entry.status();
-  Mechanics sum{0, 0, 0, {0, 0, 0}};
+  Mechanics sum{0, 0, 0, {0, 0, 0}, 0};
   for (const ClothId id : impl_->order) {
     const api::ClothRecord& cloth = *impl_->find(id);
     Status status = api::guarded(*impl_->context, [&] {
@@ -173,6 +173,7 @@ Result<Mechanics> World::mechanics() noexcept {
       sum.elastic += e.elastic;
       sum.potential += e.potential;
       sum.momentum = api::plus(sum.momentum, e.momentum);
+      sum.stretch = std::max(sum.stretch, e.stretch);
       return Status::ok;
     });
     if (status != Status::ok) return status;

@@ -69,6 +69,7 @@ nlohmann::ordered_json to_json(const Report& report) {
   json["bytes_total"] = report.bytes_total;
   json["events"] = events_json(report.events);
   add_mechanics(json, report.mechanics);
+  json["largest_stretch"] = finite_or_null(report.largest_stretch);
   json["state_hash"] = hash_text(report.state_hash);
   json["asleep"] = report.asleep;
   return json;

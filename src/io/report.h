@@ -35,6 +35,7 @@ struct Report {
   uint64_t bytes_state = 0, bytes_total = 0;
   std::vector<ReportEvent> events;
   Mechanics mechanics{};
+  double largest_stretch = 0;  ///< (l - l0)/l0 of a spring, in the frames written and at the end
   uint64_t state_hash = 0;
   uint64_t asleep = 0;  ///< cloths
 

@@ -1,5 +1,6 @@
 #include "scene/energy.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "scene/each_spring.h"
@@ -11,17 +12,18 @@ static double distance(const double3& a, const double3& b) {
   return std::sqrt(x * x + y * y + z * z);
 }
 
-static double spring_energy(const EnergyInput& in, uint32_t i, uint32_t j, double stiffness,
-                            double rest) {
+static void add_spring(const EnergyInput& in, uint32_t i, uint32_t j, double stiffness, double rest,
+                       Energies& sum) {
   const double l0 = rest >= 0 ? rest : distance(in.rest_shape[i], in.rest_shape[j]);
-  const double stretch = distance(in.x[i], in.x[j]) - l0;
-  return 0.5 * stiffness * stretch * stretch;
+  const double longer = distance(in.x[i], in.x[j]) - l0;
+  sum.elastic += 0.5 * stiffness * longer * longer;
+  if (l0 > 0) sum.stretch = std::max(sum.stretch, longer / l0);
 }
 
 Energies energies(const EnergyInput& in) {
   Energies sum;
   each_spring(in.fabric, [&](uint32_t i, uint32_t j, double stiffness, double rest) {
-    sum.elastic += spring_energy(in, i, j, stiffness, rest);
+    add_spring(in, i, j, stiffness, rest, sum);
   });
   for (uint32_t i = 0; i < in.fabric.vertices; ++i) {
     if (in.pinned && (*in.pinned)[i]) continue;

@@ -19,6 +19,7 @@ struct EnergyInput {
 struct Energies {
   double kinetic = 0, elastic = 0, potential = 0;
   double3 momentum{0, 0, 0};
+  double stretch = 0;  ///< the largest (l - l0)/l0 of a spring with l0 > 0
 };
 Energies energies(const EnergyInput&);
 

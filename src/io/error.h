@@ -1,4 +1,4 @@
-// The two ways a file can go wrong; the program turns them into exit codes.
+// The ways a file can go wrong; the program turns them into exit codes.
 //
 // Texts read `<where>: <problem> (<why it is one>) <what to do>`, on one line.
 #pragma once
@@ -15,6 +15,11 @@ struct InputError : std::runtime_error {
 
 /// Something could not be written.
 struct OutputError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// Something that this machine or this build does not have was asked for.
+struct UnavailableError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 

@@ -62,14 +62,15 @@ void write_points(LineWriter& line, std::string_view keyword, const std::vector<
   }
 }
 
-void write_faces(LineWriter& line, const Surface& surface, const SurfacePart& part) {
+void write_faces(LineWriter& line, const Surface& surface, const SurfacePart& part,
+                 bool with_normals) {
   for (size_t i = 0; i < part.triangle_count; ++i) {
     line.begin("f");
     for (const uint32_t v : surface.triangles[part.first_triangle + i]) {
-      if (surface.normals.empty())
-        line.add(v + 1);
-      else
+      if (with_normals)
         line.add_with_normal(v + 1);
+      else
+        line.add(v + 1);
     }
     line.end();
   }
@@ -85,14 +86,16 @@ void write_lines(LineWriter& line, const Surface& surface, const SurfacePart& pa
 
 }  // namespace
 
-void write_obj(const std::string& path, const Surface& surface, Precision precision) {
+void write_obj(const std::string& path, const Surface& surface, Precision precision,
+               bool with_normals) {
+  with_normals = with_normals && !surface.normals.empty();
   OutputFile file(path);
   LineWriter line(file);
   for (const SurfacePart& part : surface.parts) {
     file.write("o " + one_line(part.name) + "\n");
     write_points(line, "v", surface.positions, part, precision);
-    if (!surface.normals.empty()) write_points(line, "vn", surface.normals, part, precision);
-    write_faces(line, surface, part);
+    if (with_normals) write_points(line, "vn", surface.normals, part, precision);
+    write_faces(line, surface, part, with_normals);
     write_lines(line, surface, part);
   }
   file.commit();

@@ -89,6 +89,17 @@ void OutputFile::write_through(std::string_view bytes) {
   }
 }
 
+void OutputFile::overwrite(size_t offset, std::string_view bytes) {
+  flush();
+  while (!bytes.empty()) {
+    const ssize_t done = ::pwrite(descriptor_, bytes.data(), bytes.size(), off_t(offset));
+    if (done < 0 && errno == EINTR) continue;
+    if (done < 0) fail("written");
+    bytes.remove_prefix(size_t(done));
+    offset += size_t(done);
+  }
+}
+
 void OutputFile::commit() {
   flush();
   if (sync_ == Sync::yes && !temporary_.empty() && ::fsync(descriptor_) != 0) fail("written");

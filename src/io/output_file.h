@@ -25,6 +25,8 @@ class OutputFile {
   void write(const void* bytes, size_t count) {
     write(std::string_view(static_cast<const char*>(bytes), count));
   }
+  /// Replaces bytes that were written before. Not of a device or a pipe.
+  void overwrite(size_t offset, std::string_view bytes);
   void commit();
 
  private:

@@ -19,8 +19,8 @@ void read_version(const Node& version) {
 }
 
 void read_root(const Node& root, Scene& scene, MeshCache& meshes) {
-  root.require_object(
-      {"weft", "gravity", "time", "solver", "cloths", "colliders", "wind", "self_collision"});
+  root.require_object({"weft", "gravity", "time", "solver", "cloths", "colliders", "wind",
+                       "self_collision", "camera"});
   read_version(root.at("weft", "the format version, 1"));
   if (const auto node = root.find("gravity")) scene.gravity = node->vector();
   if (const auto node = root.find("time")) read_time(*node, scene.time);
@@ -39,6 +39,7 @@ void read_root(const Node& root, Scene& scene, MeshCache& meshes) {
   if (const auto node = root.find("self_collision")) {
     scene.self_collision = read_self_collision(*node);
   }
+  if (const auto node = root.find("camera")) scene.camera = read_camera(*node);
 }
 
 }  // namespace

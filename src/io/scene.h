@@ -93,6 +93,17 @@ struct SelfCollisionScene {
   std::optional<uint32_t> window;
 };
 
+constexpr int64_t least_pixels = 16, most_pixels = 8192;  ///< of a side of a picture
+
+/// Only pictures look at it.
+struct CameraScene {
+  std::optional<double3> eye,
+      target;                 ///< m; both or neither: then all that moves is in the picture
+  std::optional<double3> up;  ///< against gravity when absent
+  double field_of_view = 30;  ///< degrees, of the height
+  uint32_t width = 640, height = 360;  ///< pixels
+};
+
 struct Scene {
   std::string file;
   double3 gravity{0, -9.81, 0};
@@ -102,6 +113,7 @@ struct Scene {
   std::vector<ColliderScene> colliders;
   std::optional<WindDesc> wind;
   std::optional<SelfCollisionScene> self_collision;
+  CameraScene camera;
 };
 
 /// Reads, checks and refuses: an InputError starts with the file and the JSON path.

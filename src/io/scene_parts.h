@@ -29,6 +29,7 @@ void read_rotation(const Node&, double3& axis, double& degrees);
 ColliderScene read_collider(const Node&, MeshCache&);
 std::optional<WindDesc> read_wind(const Node&);
 std::optional<SelfCollisionScene> read_self_collision(const Node&);
+CameraScene read_camera(const Node&);
 
 /// Refuses what is valid but has no effect yet, naming path and value.
 void refuse_unavailable(const Scene&);

@@ -28,9 +28,9 @@ struct Surface {
 };
 
 /// Text: an object per part; numbers in the fewest digits that read back as the same value of
-/// `precision`. Vertex i has normal i.
-void write_obj(const std::string& path, const Surface&, Precision);
+/// `precision`. Vertex i has normal i; a surface without normals is written without.
+void write_obj(const std::string& path, const Surface&, Precision, bool with_normals = true);
 /// Little-endian binary: float or double positions and normals by `precision`.
-void write_ply(const std::string& path, const Surface&, Precision);
+void write_ply(const std::string& path, const Surface&, Precision, bool with_normals = true);
 
 }  // namespace weft::io

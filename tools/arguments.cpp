@@ -1,6 +1,7 @@
 #include "arguments.h"
 
 #include "io/error.h"
+#include "io/scene.h"
 #include "io/text_cursor.h"
 
 #include <algorithm>
@@ -30,12 +31,12 @@ uint32_t thread_count(const std::string& text) {
 }
 
 FrameFormat frame_format(const std::string& name) {
-  if (name == "pc2" || name == "png") {
-    throw io::InputError("--format: " + name + " is not available in this version (frames are " +
-                         "written as meshes so far) give obj or ply");
-  }
   return choose<FrameFormat>("--format", name,
-                             {{"obj", FrameFormat::obj}, {"ply", FrameFormat::ply}});
+                             {{"obj", FrameFormat::obj},
+                              {"ply", FrameFormat::ply},
+                              {"pc2", FrameFormat::pc2},
+                              {"png", FrameFormat::png},
+                              {"mp4", FrameFormat::mp4}});
 }
 
 }  // namespace
@@ -56,6 +57,22 @@ double seconds_argument(const std::string& option, const std::string& text, bool
                  positive ? "give seconds above 0" : "give seconds >= 0");
   }
   return value;
+}
+
+PictureSize size_argument(const std::string& option, const std::string& text) {
+  const auto side = [&](const std::string& word) {
+    int64_t pixels = 0;
+    io::Cursor cursor(word);
+    const bool whole = io::next_integer(cursor, pixels) == io::NumberFault::none;
+    if (!whole || !io::at_end(cursor) || pixels < io::least_pixels || pixels > io::most_pixels) {
+      bad_argument(option, text, "is not a size of pictures",
+                   "give WIDTHxHEIGHT, each from " + std::to_string(io::least_pixels) + " to " +
+                       std::to_string(io::most_pixels));
+    }
+    return uint32_t(pixels);
+  };
+  const size_t cross = std::min(text.find('x'), text.size());
+  return {side(text.substr(0, cross)), side(text.substr(std::min(cross + 1, text.size())))};
 }
 
 ContextDesc context_desc(const CommonOptions& options) {

@@ -5,6 +5,7 @@
 
 #include "options.h"
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -17,10 +18,16 @@ namespace weft::tools {
 /// A finite number; with `positive` above zero, else at least zero.
 double seconds_argument(const std::string& option, const std::string& text, bool positive);
 
+struct PictureSize {
+  uint32_t width, height;
+};
+/// "640x360"; sides as in a scene's camera.
+PictureSize size_argument(const std::string& option, const std::string& text);
+
 /// Where a command runs.
 ContextDesc context_desc(const CommonOptions&);
 
-enum class FrameFormat : unsigned char { obj, ply };
+enum class FrameFormat : unsigned char { obj, ply, pc2, png, mp4 };
 /// "obj,ply" to formats, each once.
 std::vector<FrameFormat> frame_formats(const std::string& list);
 

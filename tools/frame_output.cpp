@@ -1,67 +1,73 @@
 #include "frame_output.h"
 
+#include "mesh_frames.h"
+#include "pictures.h"
+#include "read_surface.h"
+
 #include "io/output_file.h"
 
-#include <cmath>
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 
 namespace weft::tools {
 namespace {
 
-std::string frame_name(uint64_t number, const char* extension) {
-  char name[48];
-  std::snprintf(name, sizeof name, "frame_%06llu.%s", static_cast<unsigned long long>(number),
-                extension);
-  return name;
+bool has(const FrameSettings& settings, FrameFormat format) {
+  const auto& formats = settings.formats;
+  return std::find(formats.begin(), formats.end(), format) != formats.end();
+}
+
+bool has_pictures(const FrameSettings& settings) {
+  return has(settings, FrameFormat::png) || has(settings, FrameFormat::mp4);
 }
 
 }  // namespace
 
-FrameOutput::FrameOutput(const std::string& folder, FrameSettings settings, const io::Scene& scene,
-                         const io::Simulation& made)
-    : folder_(folder),
-      settings_(std::move(settings)),
+std::string frame_path(const std::string& folder, uint64_t number, const char* extension) {
+  char name[48];
+  std::snprintf(name, sizeof name, "frame_%06llu.%s", static_cast<unsigned long long>(number),
+                extension);
+  return (std::filesystem::path(folder) / name).string();
+}
+
+FrameOutput::FrameOutput(const FrameSettings& settings, const io::Scene& scene,
+                         io::Simulation& made, const ContextDesc& desc)
+    : clock_(settings.every, scene.time.frame),
       frame_seconds_(scene.time.frame),
-      precision_(scene.solver.precision),
+      normals_(settings.normals || has_pictures(settings)),
       surface_(io::make_surface(scene, made)),
       scene_file_(scene.file) {
-  if (settings_.normals) surface_.normals.resize(surface_.positions.size());
-  io::make_folder(folder_);
-  io::probe_output((std::filesystem::path(folder_) / frame_name(0, "probe")).string());
+  if (normals_) surface_.normals.resize(surface_.positions.size());
+  if (has_pictures(settings)) require_pictures();
+  io::make_folder(settings.folder);
+  io::probe_output(frame_path(settings.folder, 0, "probe"));
+  const MeshFormat format{scene.solver.precision, settings.normals};
+  if (has(settings, FrameFormat::obj)) sinks_.push_back(make_obj_frames(settings.folder, format));
+  if (has(settings, FrameFormat::ply)) sinks_.push_back(make_ply_frames(settings.folder, format));
+  read(made);
+  if (has(settings, FrameFormat::pc2)) {
+    sinks_.push_back(make_point_caches(settings.folder, surface_, scene.solver.precision));
+  }
+  if (has_pictures(settings)) {
+    const PictureSettings pictures{settings.folder, has(settings, FrameFormat::png),
+                                   has(settings, FrameFormat::mp4), clock_};
+    sinks_.push_back(make_pictures(pictures, scene, surface_, desc));
+  }
 }
 
-void FrameOutput::update(uint64_t frame, io::Simulation& made) {
-  if (due(frame)) write(made);
-}
-
-bool FrameOutput::due(uint64_t frame) {
-  const double every = settings_.every;
-  if (frame == 0 || every == 0) return true;
-  // A hair of a frame early counts: multiples of `every` and of the frame both carry rounding.
-  const double time = (double(frame) + 1e-6) * frame_seconds_;
-  if (every <= frame_seconds_) return true;
-  const auto intervals = uint64_t(time / every);
-  if (intervals <= intervals_) return false;
-  intervals_ = intervals;
+bool FrameOutput::update(uint64_t frame, io::Simulation& made) {
+  if (!clock_.due(frame)) return false;
+  read(made);
+  const Frame now{surface_, written_++, double(frame) * frame_seconds_};
+  for (const auto& sink : sinks_) sink->add(now);
   return true;
 }
 
-void FrameOutput::write(io::Simulation& made) {
-  for (size_t i = 0; i < made.cloths.size(); ++i) {
-    const size_t first = surface_.parts[i].first_vertex;
-    const ClothId cloth = made.cloths[i];
-    made.require(made.world.read_positions(cloth, &surface_.positions[first]), scene_file_);
-    if (!settings_.normals) continue;
-    made.require(made.world.read_normals(cloth, &surface_.normals[first]), scene_file_);
-  }
-  const std::filesystem::path folder(folder_);
-  for (const FrameFormat format : settings_.formats) {
-    const bool obj = format == FrameFormat::obj;
-    const std::string path = (folder / frame_name(written_, obj ? "obj" : "ply")).string();
-    (obj ? io::write_obj : io::write_ply)(path, surface_, precision_);
-  }
-  ++written_;
+void FrameOutput::commit() {
+  for (const auto& sink : sinks_) sink->commit();
 }
+
+void FrameOutput::read(io::Simulation& made) { read_surface(made, scene_file_, surface_); }
 
 }  // namespace weft::tools

@@ -1,11 +1,14 @@
-// The files of `run --out`: DIR/frame_000000.obj, ...
+// The files of `run --out`.
 #pragma once
 
 #include "arguments.h"
+#include "frame_clock.h"
+#include "frame_sink.h"
 
 #include "io/build.h"
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -13,6 +16,7 @@ namespace weft::tools {
 
 /// What goes into the files, and how often.
 struct FrameSettings {
+  std::string folder;
   std::vector<FrameFormat> formats;
   double every = 0;  ///< seconds; 0: each frame of the simulation
   bool normals = false;
@@ -22,24 +26,23 @@ struct FrameSettings {
 /// without gaps.
 class FrameOutput {
  public:
-  /// Makes the folder.
-  FrameOutput(const std::string& folder, FrameSettings, const io::Scene&, const io::Simulation&);
+  /// Makes the folder. `desc` says where a rehearsal runs (pictures need one).
+  FrameOutput(const FrameSettings&, const io::Scene&, io::Simulation&, const ContextDesc& desc);
 
-  /// After `frame` frames of the simulation; writes if one is due.
-  void update(uint64_t frame, io::Simulation&);
+  /// After `frame` frames of the simulation; true when it was due and is written.
+  bool update(uint64_t frame, io::Simulation&);
+  void commit();
 
  private:
-  bool due(uint64_t frame);
-  void write(io::Simulation&);
+  void read(io::Simulation&);
 
-  std::string folder_;
-  FrameSettings settings_;
+  FrameClock clock_;
   double frame_seconds_;
-  Precision precision_;
+  bool normals_;
   io::Surface surface_;
   std::string scene_file_;
+  std::vector<std::unique_ptr<FrameSink>> sinks_;
   uint64_t written_ = 0;
-  uint64_t intervals_ = 0;  ///< multiples of `every` that have been written
 };
 
 }  // namespace weft::tools

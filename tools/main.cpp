@@ -44,6 +44,8 @@ int guarded(const std::function<int()>& command) {
     return fail(bad_input, error.what());
   } catch (const io::OutputError& error) {
     return fail(stopped, error.what());
+  } catch (const io::UnavailableError& error) {
+    return fail(not_available, error.what());
   } catch (const io::CoreError& error) {
     return fail(exit_code(error.status), error.what());
   } catch (const std::bad_alloc&) {
@@ -115,7 +117,9 @@ class Program {
     run->add_option("--time", run_.time, "Seconds to simulate instead of the scene's duration");
     run->add_option("--out", run_.out, "Folder for frames");
     run->add_option("--every", run_.every, "Seconds between frames; default every frame");
-    run->add_option("--format", run_.format, "Formats of the frames: obj,ply; default obj");
+    run->add_option("--format", run_.format,
+                    "Formats of the frames: obj,ply,pc2,png,mp4; default obj");
+    run->add_option("--size", run_.size, "Size of pictures: WIDTHxHEIGHT; default the scene's");
     run->add_flag("--normals", run_.normals, "Normals of the vertices in the frames");
     run->add_option("--final", run_.final_file, "CSV file for the final positions and velocities");
     run->add_option("--report", run_.report, "JSON file for the figures of the run");

@@ -13,7 +13,7 @@ struct CommonOptions {
 };
 
 struct RunOptions : CommonOptions {
-  std::string time, out, every, format, final_file, report;
+  std::string time, out, every, format, size, final_file, report;
   bool normals = false;
 };
 

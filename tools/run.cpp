@@ -7,6 +7,7 @@
 #include "output.h"
 #include "progress.h"
 #include "step_bound.h"
+#include "stop_signal.h"
 #include "windless.h"
 
 #include "io/csv_writer.h"
@@ -14,30 +15,32 @@
 #include "io/output_file.h"
 #include "io/text_cursor.h"
 
-#include <csignal>
+#include <algorithm>
 #include <optional>
 
 namespace weft::tools {
 namespace {
-
-volatile std::sig_atomic_t stop_signal = 0;
-void request_stop(int number) { stop_signal = number; }
 
 /// The options as values, before anything is read.
 struct RunRequest {
   explicit RunRequest(const RunOptions& options) : context(context_desc(options)) {
     if (!options.time.empty()) duration = seconds_argument("--time", options.time, false);
     if (!options.every.empty()) frames.every = seconds_argument("--every", options.every, true);
+    if (!options.size.empty()) size = size_argument("--size", options.size);
+    frames.folder = options.out;
     frames.formats = frame_formats(options.format.empty() ? "obj" : options.format);
     frames.normals = options.normals;
-    const bool about_frames = !options.every.empty() || !options.format.empty() || options.normals;
+    const bool about_frames = !options.every.empty() || !options.format.empty() ||
+                              !options.size.empty() || options.normals;
     if (options.out.empty() && about_frames) {
       throw io::InputError(
-          "--out: is missing (--every, --format and --normals are about its files) give a folder");
+          "--out: is missing (--every, --format, --size and --normals are about its files) give a "
+          "folder");
     }
   }
   ContextDesc context;
   std::optional<double> duration;
+  std::optional<PictureSize> size;
   FrameSettings frames;
 };
 
@@ -46,6 +49,10 @@ io::Scene read_scene(const RunOptions& options, const RunRequest& request) {
   if (request.duration) {
     scene.time.duration = *request.duration;
     io::frame_count(scene.time, "--time");
+  }
+  if (request.size) {
+    scene.camera.width = request.size->width;
+    scene.camera.height = request.size->height;
   }
   return scene;
 }
@@ -74,26 +81,32 @@ void write_final(const std::string& path, const io::Scene& scene, io::Simulation
   writer.commit();
 }
 
+/// Writes the frame if it is due; then it counts for the largest stretch, too.
+void update_frames(FrameOutput* frames, uint64_t frame, io::Simulation& made, io::Report& report) {
+  if (!frames || !frames->update(frame, made)) return;
+  report.largest_stretch = std::max(report.largest_stretch, made.world.mechanics()->stretch);
+}
+
 /// Why a run ended before its time; empty when it did not.
 std::string simulate(const io::Scene& scene, io::Simulation& made, FrameOutput* frames,
-                     std::vector<io::ReportEvent>& events) {
+                     io::Report& report) {
   const uint64_t count = io::frame_count(scene.time, "$.time.duration");
   made.require(made.world.prepare(scene.time.frame), scene.file);
-  if (frames) frames->update(0, made);
+  update_frames(frames, 0, made, report);
   Progress progress(count);
   for (uint64_t frame = 1; frame <= count; ++frame) {
     const Status status = made.world.step(scene.time.frame);
-    collect_events(made, events);
+    collect_events(made, report.events);
     if (status == Status::diverged) {
       return "stopped in frame " + std::to_string(frame) + " of " + std::to_string(count) + ": " +
              made.log->last_error(status);
     }
     made.require(status, scene.file);
-    if (frames) frames->update(frame, made);
+    update_frames(frames, frame, made, report);
     progress.update(frame);
-    if (stop_signal && frame < count) {
+    if (stop_signal() != 0 && frame < count) {
       return "stopped after frame " + std::to_string(frame) + " of " + std::to_string(count) +
-             " (signal " + std::to_string(int(stop_signal)) + ") run it again for the rest";
+             " (signal " + std::to_string(stop_signal()) + ") run it again for the rest";
     }
   }
   return "";
@@ -114,6 +127,7 @@ void print_summary(const io::Scene& scene, const io::Report& report) {
     lines.back().second += ", " + seconds_text(report.wall_seconds / double(report.frames)) +
                            " per frame, " + figure(*cost) + " ns per particle and step";
   }
+  lines.push_back({"stretch", figure(100 * report.largest_stretch) + " % at most"});
   lines.push_back({"memory", bytes_text(double(report.bytes_total))});
   lines.push_back({"state", io::hash_text(report.state_hash)});
   for (const io::ReportEvent& event : report.events) {
@@ -128,9 +142,10 @@ int run_command(const RunOptions& options) {
   const RunRequest request(options);
   const io::Scene scene = read_scene(options, request);
   io::Simulation made = build_runnable(scene, request);
+  catch_stop_signals();
   std::optional<FrameOutput> frames;
   if (!options.out.empty()) {
-    frames.emplace(options.out, request.frames, scene, made);
+    frames.emplace(request.frames, scene, made, request.context);
   }
   for (const std::string& path : {options.final_file, options.report}) {
     if (!path.empty()) io::probe_output(path);
@@ -138,11 +153,10 @@ int run_command(const RunOptions& options) {
   for (const Windless& cloth : windless_cloths(scene, made)) {
     print_message("warning: " + scene.file + ": " + cloth.text);
   }
-  std::signal(SIGINT, request_stop);
-  std::signal(SIGTERM, request_stop);
   io::Report report;
   collect_fallback(made, report.events);
-  const std::string early = simulate(scene, made, frames ? &*frames : nullptr, report.events);
+  const std::string early = simulate(scene, made, frames ? &*frames : nullptr, report);
+  if (frames) frames->commit();
   collect_figures(scene, made, report);
   if (!options.report.empty()) io::write_report(options.report, report);
   if (!early.empty()) throw io::OutputError(scene.file + ": " + early);

@@ -22,7 +22,8 @@ MAY_INCLUDE = {
     "src/cuda": ["src/base", "src/state", "src/scene", "src/plan", "src/kernels", "src/step"],
     "src/api": ["src/base", "src/scene", "src/plan", "src/step/backend.h"],
     "src/io": [],
-    "tools": ["src/io", "bench"],
+    "src/render": ["src/io"],
+    "tools": ["src/io", "src/render", "bench"],
     "bench": ["src/io", "tools"],
     "samples": ["src/io"],
 }
@@ -39,7 +40,8 @@ ISA_FOLDERS = ["src/base", "src/state", "src/kernels", "src/step"]
 THIRD_PARTY = [
     (re.compile(r"^(cuda|hip/|rocprim|cooperative_groups)"), ["src/cuda/"]),
     (re.compile(r"^(thrust|cub)/"), ["src/omp/sort.cpp", "src/cuda/"]),
-    (re.compile(r"^Eigen/"), ["src/scene/"]),
+    (re.compile(r"^Eigen/"), ["src/scene/", "src/render/"]),
+    (re.compile(r"^(epoxy/|png[.]h)"), ["src/render/"]),
     (re.compile(r"^nlohmann/"), ["src/io/", "tools/", "bench/"]),
     (re.compile(r"^CLI/"), ["tools/"]),
 ]

@@ -1,0 +1,98 @@
+#include "render/framing.h"
+
+#include "render/solids.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace weft::render {
+namespace {
+
+/// A horizontal direction that the upright parts of the cloths face; without any, along z.
+Vector3d facing(const io::Surface& start, const Vector3d& up) {
+  const Vector3d z = std::abs(up.z()) < 0.9 ? Vector3d::UnitZ() : Vector3d::UnitX();
+  const Vector3d ahead = (z - up * up.dot(z)).normalized();
+  const Vector3d aside = up.cross(ahead);
+  double along = 0, across = 0;
+  for (const double3& n : start.normals) {
+    along += std::abs(ahead.dot(vector(n)));
+    across += std::abs(aside.dot(vector(n)));
+  }
+  return across > 1.5 * along ? aside : ahead;
+}
+
+Axes axes_for(const io::Scene& scene, const io::Surface& start) {
+  const io::CameraScene& camera = scene.camera;
+  const Vector3d up = camera.up ? vector(*camera.up).normalized() : up_of(scene);
+  if (camera.eye) return axes_of(vector(*camera.eye) - vector(*camera.target), up);
+  const Vector3d ahead = facing(start, up);
+  return axes_of(ahead + 0.5 * up.cross(ahead) + 0.42 * up, up);
+}
+
+}  // namespace
+
+Axes axes_of(const Vector3d& towards, const Vector3d& up) {
+  const Vector3d back = towards.normalized();
+  Vector3d right = up.cross(back);
+  if (right.norm() < 1e-6) right = back.unitOrthogonal();
+  right.normalize();
+  return {right, back.cross(right), back};
+}
+
+Vector3d up_of(const io::Scene& scene) {
+  const Vector3d gravity = vector(scene.gravity);
+  return gravity.norm() > 0 ? Vector3d(-gravity.normalized()) : Vector3d::UnitY();
+}
+
+Framing::Framing(const io::Scene& scene, const io::Surface& start)
+    : axes_(axes_for(scene, start)),
+      half_height_(std::tan(scene.camera.field_of_view * std::numbers::pi / 360)),
+      half_width_(half_height_ * scene.camera.width / scene.camera.height) {
+  constexpr double margin = 1.12;
+  const Vector3d wide = axes_.right * margin / half_width_;
+  const Vector3d high = axes_.up * margin / half_height_;
+  sides_ = {axes_.back + wide, axes_.back - wide, axes_.back + high, axes_.back - high};
+  reach_.fill(-1e300);
+  add(start);
+}
+
+void Framing::add(const io::Surface& surface) {
+  for (const double3& p : surface.positions) add(vector(p), 0);
+}
+
+void Framing::add(const Vector3d& center, double radius) {
+  box_.add(Box{center, center}.grown(radius));
+  for (size_t i = 0; i < sides_.size(); ++i) {
+    reach_[i] = std::max(reach_[i], sides_[i].dot(center) + radius * sides_[i].norm());
+  }
+}
+
+// A point p is inside of a side with normal n, seen from e, when n.p <= n.e. Two opposite sides
+// give e's place across the view, and their mean how far back it must be.
+Vector3d Framing::eye() const {
+  const Vector3d wide = 0.5 * (sides_[0] - sides_[1]), high = 0.5 * (sides_[2] - sides_[3]);
+  const double across = 0.5 * (reach_[0] - reach_[1]) / wide.norm();
+  const double along = 0.5 * (reach_[2] - reach_[3]) / high.norm();
+  const double back = std::max(reach_[0] + reach_[1], reach_[2] + reach_[3]) / 2;
+  return axes_.right * across + axes_.up * along + axes_.back * back;
+}
+
+void add_colliders(const io::Scene& scene, Framing& framing) {
+  const double size = framing.box().radius();
+  const Box near = framing.box().grown(0.8 * size);
+  for (const io::ColliderScene& collider : scene.colliders) {
+    const Box all = bounds_of(collider), part = all.within(near);
+    if (part.empty()) continue;
+    const auto* sphere = std::get_if<SphereDesc>(&collider);
+    if (sphere && part.low == all.low && part.high == all.high) {
+      framing.add(vector(sphere->center), sphere->radius);
+      continue;
+    }
+    for (int i = 0; i < 8; ++i) framing.add(part.corner(i));
+  }
+}
+
+}  // namespace weft::render

@@ -1,0 +1,119 @@
+#include "render/painter.h"
+
+#include "render/gl.h"
+#include "render/shaders.h"
+#include "render/solid_models.h"
+#include "render/stage.h"
+#include "render/targets.h"
+#include "render/weave.h"
+#include "render/weavings.h"
+
+#include <Eigen/Geometry>
+
+namespace weft::render {
+
+/// The objects of OpenGL, in the order in which they are drawn.
+struct Painter::Parts {
+  Parts(const io::Scene& scene, const io::Surface& start, const Framing& framing)
+      : stage(make_stage(scene, framing)),
+        canvas(scene.camera.width, scene.camera.height),
+        solids(
+            make_solids(scene, mean_spacing(start), stage.seen, ground_plane(scene, up_of(scene)))),
+        weavings(scene, start, stage),
+        up(up_of(scene).cast<float>()) {
+    Eigen::Vector3f across = stage.ground_normal.unitOrthogonal();
+    ground_model.setIdentity();
+    ground_model.block<3, 1>(0, 0) = 14 * stage.radius * across;
+    ground_model.block<3, 1>(0, 1) = 14 * stage.radius * stage.ground_normal.cross(across);
+    ground_model.block<3, 1>(0, 2) = stage.ground_normal;
+    ground_model.block<3, 1>(0, 3) = stage.ground;
+  }
+
+  void light(const Program& program) const {
+    program.use();
+    program.set("camera", stage.camera);
+    program.set("shadow", stage.shadow);
+    program.set("eye", stage.eye);
+    program.set("light", stage.light);
+    program.set("up", up);
+    program.set("texel", 2.04f * stage.radius / float(ShadowMap::size));
+    program.set("depth", 0);
+  }
+
+  void draw_casters(const Eigen::Matrix4f& camera, const Program& cloth, const Program& solid,
+                    const Program& capsule) const {
+    for (const Program* program : {&cloth, &solid, &capsule}) {
+      program->use();
+      program->set("camera", camera);
+    }
+    weavings.draw_cloths(cloth);
+    solids.draw_solids(solid);
+    solids.draw_capsules(capsule);
+    weavings.draw_bars(capsule);
+  }
+
+  void draw_sky() const {
+    sky.use();
+    glDisable(GL_DEPTH_TEST);
+    glDisable(GL_BLEND);
+    glBindVertexArray(nothing.name());
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+  }
+
+  void draw_ground() const {
+    light(ground);
+    ground.set("model", ground_model);
+    ground.set("normal", stage.ground_normal);
+    ground.set("soft", 1);
+    glEnable(GL_DEPTH_TEST);
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+    glBindVertexArray(nothing.name());
+    glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+    glDisable(GL_BLEND);
+  }
+
+  Stage stage;
+  Canvas canvas;
+  ShadowMap shadows;
+  SolidModels solids;
+  Weavings weavings;
+  Eigen::Vector3f up;
+  Eigen::Matrix4f ground_model;
+  VertexArray nothing;
+  Program cloth{{shadow_functions, cloth_vertices},
+                {shadow_functions, light_functions, cloth_fragments}};
+  Program solid{{solid_vertices}, {shadow_functions, light_functions, solid_fragments}};
+  Program capsule{{capsule_vertices}, {shadow_functions, light_functions, solid_fragments}};
+  Program ground{{ground_vertices}, {shadow_functions, light_functions, ground_fragments}};
+  Program cloth_depth{{caster_vertices}, {no_fragments}};
+  Program solid_depth{{solid_vertices}, {no_fragments}};
+  Program capsule_depth{{capsule_vertices}, {no_fragments}};
+  Program sky{{screen_vertices}, {sky_fragments}};
+  Program blur{{screen_vertices}, {blur_fragments}};
+};
+
+Painter::Painter(const io::Scene& scene, const io::Surface& start, const Framing& framing)
+    : parts_(std::make_unique<Parts>(scene, start, framing)) {}
+
+Painter::~Painter() = default;
+
+Image Painter::draw(const io::Surface& surface, double time) {
+  Parts& p = *parts_;
+  p.weavings.update(surface, p.stage.origin);
+  p.solids.update(time, p.stage.origin);
+
+  p.shadows.begin();
+  p.draw_casters(p.stage.shadow, p.cloth_depth, p.solid_depth, p.capsule_depth);
+  p.shadows.soften(p.blur, p.nothing);
+
+  p.canvas.begin();
+  p.shadows.bind();
+  p.draw_sky();
+  p.draw_ground();
+  for (const Program* program : {&p.cloth, &p.solid, &p.capsule}) p.light(*program);
+  p.draw_casters(p.stage.camera, p.cloth, p.solid, p.capsule);
+  return p.canvas.read();
+}
+
+}  // namespace weft::render

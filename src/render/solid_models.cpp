@@ -1,0 +1,89 @@
+#include "render/solid_models.h"
+
+#include <Eigen/LU>
+
+namespace weft::render {
+
+static const Vector3f collider_colour{0.62f, 0.60f, 0.57f};
+
+Model::Model(const Triangles& triangles) : count_(GLsizei(triangles.indices.size())) {
+  glBindVertexArray(array_.name());
+  const auto& vertices = triangles.vertices;
+  const size_t stride = sizeof vertices[0];
+  fill(vertices_, GL_ARRAY_BUFFER, vertices.data(), vertices.size() * stride, GL_STATIC_DRAW);
+  fill(indices_, GL_ELEMENT_ARRAY_BUFFER, triangles.indices.data(),
+       triangles.indices.size() * sizeof(uint32_t), GL_STATIC_DRAW);
+  attribute(0, vertices_, 3, stride, 0);
+  attribute(1, vertices_, 3, stride, 3 * sizeof(float));
+}
+
+void Model::draw() const {
+  glBindVertexArray(array_.name());
+  glDrawElements(GL_TRIANGLES, count_, GL_UNSIGNED_INT, nullptr);
+}
+
+void Model::draw_instances(size_t count) const {
+  glBindVertexArray(array_.name());
+  glDrawElementsInstanced(GL_TRIANGLES, count_, GL_UNSIGNED_INT, nullptr, GLsizei(count));
+}
+
+CapsuleModels::CapsuleModels(uint32_t corners) : form_(capsule_form(corners)) {
+  glBindVertexArray(form_.array().name());
+  constexpr size_t stride = sizeof(std::array<float, 7>);
+  attribute(4, instances_, 3, stride, 0, true);
+  attribute(5, instances_, 3, stride, 3 * sizeof(float), true);
+  attribute(6, instances_, 1, stride, 6 * sizeof(float), true);
+}
+
+void CapsuleModels::fill(const std::vector<std::array<float, 7>>& capsules) {
+  count_ = capsules.size();
+  render::fill(instances_, GL_ARRAY_BUFFER, capsules.data(), count_ * sizeof capsules[0],
+               GL_STREAM_DRAW);
+}
+
+void CapsuleModels::draw() const {
+  if (count_ > 0) form_.draw_instances(count_);
+}
+
+SolidModels::SolidModels(const Solids& solids) : solids_(solids) {
+  for (const Triangles& mesh : solids_.meshes) meshes_.emplace_back(mesh);
+  solids_.meshes.clear();
+}
+
+void SolidModels::update(double time, const Vector3d& origin) {
+  std::vector<std::array<float, 7>> capsules;
+  for (const Capsule& c : solids_.capsules) {
+    const Vector3d moved = c.velocity * time - origin;
+    const Vector3f a = (c.a + moved).cast<float>(), b = (c.b + moved).cast<float>();
+    capsules.push_back({a.x(), a.y(), a.z(), b.x(), b.y(), b.z(), float(c.radius)});
+  }
+  capsules_.fill(capsules);
+  places_.clear();
+  for (const Solid& solid : solids_.solids) {
+    Eigen::Matrix4f place = Eigen::Matrix4f::Identity();
+    place.block<3, 3>(0, 0) = solid.axes.cast<float>();
+    place.block<3, 1>(0, 3) = (solid.center + solid.velocity * time - origin).cast<float>();
+    places_.push_back(place);
+  }
+}
+
+void SolidModels::draw_solids(const Program& program) const {
+  program.use();
+  program.set("colour", collider_colour);
+  for (size_t i = 0; i < solids_.solids.size(); ++i) {
+    const Solid& solid = solids_.solids[i];
+    Eigen::Matrix4f turned = Eigen::Matrix4f::Identity();
+    turned.block<3, 3>(0, 0) = places_[i].block<3, 3>(0, 0).inverse().transpose();
+    program.set("model", places_[i]);
+    program.set("turned", turned);
+    (solid.form == Form::mesh ? meshes_[solid.mesh] : forms_[size_t(solid.form)]).draw();
+  }
+}
+
+void SolidModels::draw_capsules(const Program& program) const {
+  program.use();
+  program.set("colour", collider_colour);
+  capsules_.draw();
+}
+
+}  // namespace weft::render

@@ -1,0 +1,56 @@
+// Colliders on the device.
+#pragma once
+
+#include "render/gl.h"
+#include "render/solids.h"
+
+#include <array>
+#include <vector>
+
+namespace weft::render {
+
+/// Triangles in buffers of their own.
+class Model {
+ public:
+  explicit Model(const Triangles&);
+  void draw() const;
+  void draw_instances(size_t count) const;
+  const VertexArray& array() const { return array_; }
+
+ private:
+  VertexArray array_;
+  Buffer vertices_, indices_;
+  GLsizei count_;
+};
+
+/// Many capsules by one call.
+class CapsuleModels {
+ public:
+  /// `corners` around each, a multiple of 4.
+  explicit CapsuleModels(uint32_t corners);
+  /// Ends relative to the picture's origin, and radius.
+  void fill(const std::vector<std::array<float, 7>>&);
+  void draw() const;
+
+ private:
+  Model form_;
+  Buffer instances_;
+  size_t count_ = 0;
+};
+
+class SolidModels {
+ public:
+  explicit SolidModels(const Solids&);
+  void update(double time, const Vector3d& origin);
+  void draw_solids(const Program&) const;
+  void draw_capsules(const Program&) const;
+
+ private:
+  Solids solids_;
+  std::array<Model, 3> forms_{Model(cylinder_form()), Model(box_form()), Model(disc_form())};
+  std::vector<Model> meshes_;
+  CapsuleModels capsules_{48};
+  std::vector<Eigen::Matrix4f> places_;  ///< of the solids, now
+};
+
+}  // namespace weft::render

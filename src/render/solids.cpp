@@ -1,0 +1,166 @@
+#include "render/solids.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <numbers>
+
+namespace weft::render {
+namespace {
+
+Eigen::Matrix3d rotation(double3 axis, double degrees) {
+  const Vector3d v = vector(axis);
+  if (v.norm() == 0) return Eigen::Matrix3d::Identity();
+  return Eigen::AngleAxisd(degrees * std::numbers::pi / 180, v.normalized()).toRotationMatrix();
+}
+
+/// Columns: two directions across `axis`, and it.
+Eigen::Matrix3d frame_along(const Vector3d& axis) {
+  Eigen::Matrix3d m;
+  m.col(2) = axis.normalized();
+  m.col(0) = m.col(2).unitOrthogonal();
+  m.col(1) = m.col(2).cross(m.col(0));
+  return m;
+}
+
+Box box_round(const Vector3d& center, const Vector3d& half) {
+  return {center - half, center + half};
+}
+
+struct Bounds {
+  Box operator()(const SphereDesc& d) const {
+    return box_round(vector(d.center), Vector3d::Constant(d.radius));
+  }
+  Box operator()(const PlaneDesc&) const { return {}; }
+  Box operator()(const CylinderDesc& d) const { return between(d.a, d.b, d.radius); }
+  Box operator()(const CapsuleDesc& d) const { return between(d.a, d.b, d.radius); }
+  Box operator()(const BoxDesc& d) const {
+    const Eigen::Matrix3d turn = rotation(d.axis, d.degrees);
+    return box_round(vector(d.center), turn.cwiseAbs() * vector(d.half));
+  }
+  Box operator()(const io::MeshColliderScene& d) const {
+    const Eigen::Matrix3d turn = rotation(d.pose.axis, d.pose.degrees) * d.scale;
+    Box box;
+    for (const double3& p : d.mesh->positions) {
+      box.add(turn * vector(p) + vector(d.pose.translate));
+    }
+    return box;
+  }
+
+ private:
+  static Box between(double3 a, double3 b, double radius) {
+    Box box;
+    box.add(vector(a));
+    box.add(vector(b));
+    return box.grown(radius);
+  }
+};
+
+class Maker {
+ public:
+  Maker(double spacing, const Box& region, Solids& out)
+      : spacing_(spacing), region_(region), out_(out) {}
+
+  void operator()(const SphereDesc& d) { add_capsule(d.center, d.center, d.radius, d.velocity); }
+  void operator()(const CapsuleDesc& d) { add_capsule(d.a, d.b, d.radius, d.velocity); }
+  void operator()(const CylinderDesc& d) {
+    const Vector3d a = vector(d.a), b = vector(d.b), half = 0.5 * (b - a);
+    Eigen::Matrix3d axes = frame_along(half);
+    const double slack = rim_slack(std::min(d.radius, half.norm()));
+    axes.leftCols<2>() *= d.radius - slack;
+    axes.col(2) *= half.norm() - slack;
+    out_.solids.push_back({Form::cylinder, axes, 0.5 * (a + b), vector(d.velocity)});
+  }
+  void operator()(const BoxDesc& d) {
+    const Vector3d half = vector(d.half);
+    const Vector3d drawn = half - Vector3d::Constant(rim_slack(half.minCoeff()));
+    const Eigen::Matrix3d axes = rotation(d.axis, d.degrees) * drawn.asDiagonal();
+    out_.solids.push_back({Form::box, axes, vector(d.center), vector(d.velocity)});
+  }
+  void operator()(const PlaneDesc& d) {
+    const Vector3d normal = vector(d.normal);
+    const double length = normal.norm();
+    const Vector3d n = normal / length, middle = region_.center();
+    const double radius = 1.2 * region_.radius();
+    const Vector3d foot = middle + n * (d.offset / length - n.dot(middle) - 0.1 * spacing_);
+    out_.solids.push_back({Form::disc, frame_along(n) * radius, foot, vector(d.velocity)});
+  }
+  void operator()(const io::MeshColliderScene& d) {
+    const Eigen::Matrix3d axes = rotation(d.pose.axis, d.pose.degrees) * d.scale;
+    out_.solids.push_back(
+        {Form::mesh, axes, vector(d.pose.translate), vector(d.velocity), mesh_of(*d.mesh)});
+  }
+
+ private:
+  // A chord of length h over a circle of radius r reaches h^2/(8 r) into it; a triangle's middle,
+  // a third more.
+  double ball_slack(double radius) const {
+    return std::min(spacing_ * spacing_ / (4 * radius), 0.1 * radius);
+  }
+  // Over an edge, a chord of length h reaches h/2 deep where both sides have 45 degrees.
+  double rim_slack(double least) const { return std::min(0.5 * spacing_, 0.1 * least); }
+
+  void add_capsule(double3 a, double3 b, double radius, double3 velocity) {
+    out_.capsules.push_back({vector(a), vector(b), radius - ball_slack(radius), vector(velocity)});
+  }
+
+  // A collider mesh keeps cloth at a distance, so it is drawn as it is.
+  size_t mesh_of(const io::Mesh& mesh) {
+    for (size_t i = 0; i < meshes_.size(); ++i) {
+      if (meshes_[i] == &mesh) return i;
+    }
+    std::vector<Vector3d> normals(mesh.positions.size(), Vector3d::Zero());
+    for (size_t t = 0; t + 2 < mesh.triangles.size(); t += 3) {
+      const uint32_t* v = &mesh.triangles[t];
+      const Vector3d a = vector(mesh.positions[v[0]]);
+      const Vector3d n = (vector(mesh.positions[v[1]]) - a).cross(vector(mesh.positions[v[2]]) - a);
+      for (int k = 0; k < 3; ++k) normals[v[k]] += n;
+    }
+    Triangles drawn;
+    for (size_t i = 0; i < normals.size(); ++i) {
+      const Vector3f p = vector(mesh.positions[i]).cast<float>();
+      const Vector3f n = normals[i].normalized().cast<float>();
+      drawn.vertices.push_back({p.x(), p.y(), p.z(), n.x(), n.y(), n.z()});
+    }
+    drawn.indices = mesh.triangles;
+    out_.meshes.push_back(std::move(drawn));
+    meshes_.push_back(&mesh);
+    return meshes_.size() - 1;
+  }
+
+  double spacing_;
+  const Box& region_;
+  Solids& out_;
+  std::vector<const io::Mesh*> meshes_;
+};
+
+}  // namespace
+
+const PlaneDesc* ground_plane(const io::Scene& scene, const Vector3d& up) {
+  const PlaneDesc* found = nullptr;
+  double best = 0.7;
+  for (const io::ColliderScene& collider : scene.colliders) {
+    const auto* plane = std::get_if<PlaneDesc>(&collider);
+    if (!plane || vector(plane->velocity).norm() > 0) continue;
+    const double rise = vector(plane->normal).normalized().dot(up);
+    if (rise <= best) continue;
+    best = rise;
+    found = plane;
+  }
+  return found;
+}
+
+Box bounds_of(const io::ColliderScene& collider) { return std::visit(Bounds(), collider); }
+
+Solids make_solids(const io::Scene& scene, double spacing, const Box& region,
+                   const PlaneDesc* ground) {
+  Solids solids;
+  Maker maker(spacing, region, solids);
+  for (const io::ColliderScene& collider : scene.colliders) {
+    const auto* plane = std::get_if<PlaneDesc>(&collider);
+    if (!plane || plane != ground) std::visit(maker, collider);
+  }
+  return solids;
+}
+
+}  // namespace weft::render

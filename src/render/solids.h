@@ -1,0 +1,63 @@
+// The colliders of a scene as shapes that can be drawn.
+#pragma once
+
+#include "render/box.h"
+
+#include "io/scene.h"
+
+#include <Eigen/Core>
+
+#include <array>
+#include <vector>
+
+namespace weft::render {
+
+/// Triangles with a normal per vertex.
+struct Triangles {
+  std::vector<std::array<float, 6>> vertices;  ///< position, normal
+  std::vector<uint32_t> indices;
+};
+
+/// All points within `radius` of the segment from `a` to `b`: a sphere where these are equal.
+struct Capsule {
+  Vector3d a, b;
+  double radius;
+  Vector3d velocity{0, 0, 0};
+};
+enum class Form : uint8_t { cylinder, box, disc, mesh };
+/// A unit form, placed.
+struct Solid {
+  Form form;
+  Eigen::Matrix3d axes;  ///< columns: where the form's x, y, z go
+  Vector3d center;
+  Vector3d velocity;
+  size_t mesh = 0;  ///< of `Solids::meshes`
+};
+struct Solids {
+  std::vector<Capsule> capsules;
+  std::vector<Solid> solids;
+  std::vector<Triangles> meshes;
+};
+
+/// At the start; of a plane, empty.
+Box bounds_of(const io::ColliderScene&);
+
+/// The plane at rest that faces `up` the most, by 45 degrees at least; null when none does.
+const PlaneDesc* ground_plane(const io::Scene&, const Vector3d& up);
+
+/// Shapes that cloth touches are drawn smaller by what a triangle between three particles on their
+/// surface, `spacing` apart, may reach into them. Planes other than `ground` are drawn as discs of
+/// the size of `region`, around it.
+Solids make_solids(const io::Scene&, double spacing, const Box& region, const PlaneDesc* ground);
+
+/// For drawing capsules, with so many corners `around`: (x, y, w) of a unit half sphere's points
+/// around an axis, and on which end (0 or 1). Position and normal are one.
+Triangles capsule_form(uint32_t around);
+/// Radius 1 around z, from -1 to 1.
+Triangles cylinder_form();
+/// From -1 to 1 along each axis.
+Triangles box_form();
+/// Radius 1 in the plane z = 0.
+Triangles disc_form();
+
+}  // namespace weft::render

@@ -1,0 +1,134 @@
+#include "render/video.h"
+
+#include "io/error.h"
+
+#include <fcntl.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <filesystem>
+#include <vector>
+
+extern char** environ;
+
+namespace weft::render {
+namespace {
+
+std::string temporary_name(const std::filesystem::path& target) {
+  const std::string name =
+      "." + target.filename().string() + "." + std::to_string(::getpid()) + ".tmp";
+  return (target.parent_path() / name).string();
+}
+
+/// ffmpeg's arguments: raw pictures in, H.264 that every player knows out. Its picture has even
+/// sides, so an odd one is padded.
+std::vector<std::string> arguments(const std::string& path, uint32_t width, uint32_t height,
+                                   double rate) {
+  std::array<char, 40> rate_text{};
+  std::snprintf(rate_text.data(), rate_text.size(), "%.9g", rate);
+  return {"ffmpeg",      "-nostdin",
+          "-loglevel",   "error",
+          "-f",          "rawvideo",
+          "-pix_fmt",    "rgb24",
+          "-video_size", std::to_string(width) + "x" + std::to_string(height),
+          "-framerate",  rate_text.data(),
+          "-i",          "pipe:0",
+          "-vf",         "pad=ceil(iw/2)*2:ceil(ih/2)*2",
+          "-c:v",        "libx264",
+          "-pix_fmt",    "yuv420p",
+          "-crf",        "20",
+          "-movflags",   "+faststart",
+          "-f",          "mp4",
+          "-y",          path};
+}
+
+/// Starts ffmpeg with `input` as its standard input; an error number.
+int start(const std::vector<std::string>& words, int input, pid_t& process) {
+  std::vector<char*> argv;
+  for (const std::string& word : words) argv.push_back(const_cast<char*>(word.c_str()));
+  argv.push_back(nullptr);
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_adddup2(&actions, input, STDIN_FILENO);
+  posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
+  const int code = ::posix_spawnp(&process, argv[0], &actions, nullptr, argv.data(), environ);
+  posix_spawn_file_actions_destroy(&actions);
+  return code;
+}
+
+}  // namespace
+
+Video::Video(const std::string& path, uint32_t width, uint32_t height, double frames_per_second)
+    : path_(path), temporary_(temporary_name(path)) {
+  std::array<int, 2> ends{};
+  if (::pipe2(ends.data(), O_CLOEXEC) != 0) fail(std::strerror(errno));
+  pipe_ = ends[1];
+  const int code =
+      start(arguments(temporary_, width, height, frames_per_second), ends[0], encoder_);
+  ::close(ends[0]);
+  if (code != 0) {
+    encoder_ = -1;
+    discard();
+    throw io::UnavailableError(path_ + ": films cannot be made (ffmpeg: " + std::strerror(code) +
+                               ") install it, for example apt-get install ffmpeg, or write png");
+  }
+}
+
+Video::~Video() { discard(); }
+
+void Video::add(const Image& image) {
+  const auto old_handler = std::signal(SIGPIPE, SIG_IGN);  // an ffmpeg that ended is an error code
+  const uint8_t* at = image.rgb.data();
+  size_t left = image.rgb.size();
+  int failure = 0;
+  while (left > 0 && failure == 0) {
+    const ssize_t done = ::write(pipe_, at, left);
+    if (done < 0 && errno == EINTR) continue;
+    if (done < 0) {
+      failure = errno;
+    } else {
+      at += done;
+      left -= size_t(done);
+    }
+  }
+  std::signal(SIGPIPE, old_handler);
+  if (failure != 0) fail(std::string("ffmpeg takes no more pictures: ") + std::strerror(failure));
+}
+
+void Video::commit() {
+  const int status = wait();
+  if (status != 0) fail("ffmpeg ended with status " + std::to_string(status));
+  if (::rename(temporary_.c_str(), path_.c_str()) != 0) fail(std::strerror(errno));
+  temporary_.clear();
+}
+
+int Video::wait() {
+  if (pipe_ >= 0) ::close(pipe_);
+  pipe_ = -1;
+  if (encoder_ < 0) return 0;
+  int status = 0;
+  while (::waitpid(encoder_, &status, 0) < 0 && errno == EINTR) {
+  }
+  encoder_ = -1;
+  return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+}
+
+void Video::fail(const std::string& why) {
+  discard();
+  throw io::OutputError(path_ + ": cannot be written (" + why +
+                        ") free space, give another path, or write png");
+}
+
+void Video::discard() noexcept {
+  if (encoder_ >= 0) ::kill(encoder_, SIGTERM);
+  wait();
+  if (!temporary_.empty()) ::unlink(temporary_.c_str());
+  temporary_.clear();
+}
+
+}  // namespace weft::render

@@ -1,0 +1,72 @@
+#include "pictures.h"
+
+#include "read_surface.h"
+#include "stop_signal.h"
+
+#include "io/error.h"
+
+#include "render/painter.h"
+#include "render/session.h"
+#include "render/video.h"
+
+#include <filesystem>
+#include <optional>
+
+namespace weft::tools {
+namespace {
+
+/// What will be seen, by running the scene once. What goes wrong in it will be told by the run.
+render::Framing rehearse(const io::Scene& scene, const io::Surface& start, FrameClock clock,
+                         const ContextDesc& desc) {
+  render::Framing framing(scene, start);
+  io::Simulation made = io::build(scene, desc);
+  io::Surface surface = io::make_surface(scene, made);
+  const uint64_t count = io::frame_count(scene.time, "$.time.duration");
+  for (uint64_t frame = 1; frame <= count && stop_signal() == 0; ++frame) {
+    if (made.world.step(scene.time.frame) != Status::ok) break;
+    if (!clock.due(frame)) continue;
+    read_surface(made, scene.file, surface);
+    framing.add(surface);
+  }
+  return framing;
+}
+
+class Pictures final : public FrameSink {
+ public:
+  Pictures(const PictureSettings& settings, const io::Scene& scene, const io::Surface& start,
+           const render::Framing& framing)
+      : folder_(settings.folder), png_(settings.png), painter_(scene, start, framing) {
+    if (!settings.mp4) return;
+    const std::string name = std::filesystem::path(scene.file).stem().string() + ".mp4";
+    video_.emplace((std::filesystem::path(folder_) / name).string(), scene.camera.width,
+                   scene.camera.height, 1 / settings.clock.period());
+  }
+
+  void add(const Frame& frame) override {
+    const render::Image image = painter_.draw(frame.surface, frame.time);
+    if (png_) render::write_png(frame_path(folder_, frame.number, "png"), image);
+    if (video_) video_->add(image);
+  }
+  void commit() override {
+    if (video_) video_->commit();
+  }
+
+ private:
+  std::string folder_;
+  bool png_;
+  render::Session session_;  // the painter needs it
+  render::Painter painter_;
+  std::optional<render::Video> video_;
+};
+
+}  // namespace
+
+void require_pictures() { const render::Session session; }
+
+std::unique_ptr<FrameSink> make_pictures(const PictureSettings& settings, const io::Scene& scene,
+                                         const io::Surface& start, const ContextDesc& desc) {
+  const render::Framing framing = rehearse(scene, start, settings.clock, desc);
+  return std::make_unique<Pictures>(settings, scene, start, framing);
+}
+
+}  // namespace weft::tools

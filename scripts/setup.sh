@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # Installs what weft needs to be built and tested on Debian 12 or a relative of it.
-# usage: scripts/setup.sh [--all]
-#   --all  also clang with its OpenMP and sanitizer runtimes, hipcc with rocPRIM, and pkg-config,
+# usage: scripts/setup.sh [--all | --demo]
+#   --all   also clang with its OpenMP and sanitizer runtimes, hipcc with rocPRIM, and pkg-config,
 #          for the other stages of test.sh
+#   --demo  also ffmpeg, for the films of demo.sh
 # Says what it installs, and does nothing (in a fraction of a second) when nothing is missing.
 set -euo pipefail
 
@@ -49,14 +50,15 @@ install() {
     apt-get install -y -qq --no-install-recommends "$@"
 }
 
-if [[ $# -gt 1 || ( $# -eq 1 && "$1" != --all ) ]]; then
-  echo "setup: usage: scripts/setup.sh [--all]" >&2
+if [[ $# -gt 1 || ( $# -eq 1 && "$1" != --all && "$1" != --demo ) ]]; then
+  echo "setup: usage: scripts/setup.sh [--all | --demo]" >&2
   exit 2
 fi
 if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
   echo "setup: this is not a Debian system (no apt-get). Install by hand: a C++20 compiler," \
        "CMake 3.25, Ninja, git, Python 3, binutils, Valgrind, GoogleTest, Eigen, nlohmann-json," \
-       "CLI11, Thrust with CUB, and the Assimp test models (optional)" >&2
+       "CLI11, Thrust with CUB, and (optional) the Assimp test models, libepoxy, EGL, libpng," \
+       "ffmpeg" >&2
   exit 1
 fi
 
@@ -68,12 +70,17 @@ need_command python3 python3
 need_command nm binutils
 need_command valgrind valgrind
 need_package libgtest-dev libeigen3-dev nlohmann-json3-dev libcli11-dev assimp-testmodels
+need_package libepoxy-dev libegl-dev libegl1 libgl1-mesa-dri libpng-dev  # pictures
 have_thrust || need_package libthrust-dev libcub-dev
 if [[ "${1:-}" == --all ]]; then
   for package in clang libclang-rt-14-dev libomp-dev llvm \
                  hipcc libamdhip64-dev rocm-device-libs librocprim-dev dpkg-dev pkg-config; do
     is_installed "$package" || extras+=("$package")
   done
+fi
+
+if [[ "${1:-}" == --demo ]] && ! command -v ffmpeg >/dev/null; then
+  extras+=(ffmpeg)
 fi
 
 if [[ ${#packages[@]} -eq 0 && ${#extras[@]} -eq 0 ]]; then
@@ -84,5 +91,6 @@ if [[ ${#packages[@]} -gt 0 ]]; then
   install "${packages[@]}"
 fi
 if [[ ${#extras[@]} -gt 0 ]] && ! install "${extras[@]}"; then
-  echo "setup: going on without ${extras[*]} (only some stages of test.sh need them)" >&2
+  echo "setup: going on without ${extras[*]}" \
+       "(only some stages of test.sh, or the films of demo.sh, need them)" >&2
 fi

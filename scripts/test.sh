@@ -143,9 +143,9 @@ debug() {
 
 asan() {
   configure asan
-  compile asan weft_cli tests/{unit,kernels,api,backend,io,stability}/all
+  compile asan weft_cli tests/{unit,kernels,api,backend,io,fuzz,stability}/all
   forget_dead_teams
-  run_tests asan -L '^(unit|kernels|api|backend|io|stability)$' -LE long
+  run_tests asan -L '^(unit|kernels|api|backend|io|fuzz|stability)$' -LE long
 }
 
 # The OpenMP runtime is not instrumented; its archer library tells the sanitizer of its barriers.

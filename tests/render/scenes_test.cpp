@@ -1,0 +1,114 @@
+// The sample scenes as pictures, compared with those that were looked at and kept in golden/.
+// scripts/golden_pictures.sh makes them anew.
+#include "../io/cli_support.h"
+#include "png_reader.h"
+
+#include <chrono>
+
+namespace weft::render::test {
+namespace {
+
+using io::test::Json;
+using io::test::Outcome;
+using io::test::run_weft;
+using io::test::TemporaryFolder;
+
+// The same renderer everywhere, GPU or not.
+const char* const in_software = "LIBGL_ALWAYS_SOFTWARE=1 exec ";
+
+struct Sample {
+  const char* name;
+  friend void PrintTo(const Sample& sample, std::ostream* out) { *out << sample.name; }
+};
+
+class SamplePictures : public testing::TestWithParam<Sample> {};
+
+TEST_P(SamplePictures, LookAsTheyDid) {
+  const std::string name = GetParam().name;
+  const std::string file = std::string(WEFT_SAMPLE_SCENES) + "/" + name + ".json";
+  const Json scene = Json::parse(io::test::read_text(file));
+  const Json& cloth = scene["cloths"][0];
+  if (cloth.contains("mesh") &&
+      !std::filesystem::exists(cloth["mesh"]["file"].get<std::string>())) {
+    GTEST_SKIP() << "the mesh is not on this machine (apt-get install assimp-testmodels)";
+  }
+  const TemporaryFolder folder;
+  const Outcome outcome = run_weft(
+      "run --time 1 --every 1 --format png --size 320x180 --out " + folder.string() + " " + file,
+      in_software);
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const Image got = read_png(folder / "frame_000001.png");
+  const Image want = read_png(std::string(WEFT_GOLDEN_PICTURES) + "/" + name + ".png");
+  ASSERT_EQ(got.width, 320u);
+  ASSERT_EQ(got.height, 180u);
+  ASSERT_EQ(want.width, 320u) << "there is no golden picture";
+  EXPECT_GE(psnr(got, want), 40);
+  EXPECT_LT(psnr(got, read_png(folder / "frame_000000.png")), 40) << "as at the start";
+}
+
+INSTANTIATE_TEST_SUITE_P(All, SamplePictures,
+                         testing::Values(Sample{"flag_in_wind"}, Sample{"flag_on_pole"},
+                                         Sample{"patch_on_four_pins"}, Sample{"sheet_on_sphere"},
+                                         Sample{"small_network"}, Sample{"wuson_drop"}),
+                         [](const auto& info) { return std::string(info.param.name); });
+
+TEST(SamplePictures, EverySampleSceneHasOne) {
+  size_t scenes = 0, pictures = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(WEFT_SAMPLE_SCENES)) {
+    scenes += entry.path().extension() == ".json";
+  }
+  for (const auto& entry : std::filesystem::directory_iterator(WEFT_GOLDEN_PICTURES)) {
+    pictures += entry.path().extension() == ".png";
+  }
+  EXPECT_EQ(scenes, 6u) << "a new scene goes into the list above";
+  EXPECT_EQ(pictures, scenes);
+}
+
+TEST(Pictures, SameSceneSamePixels) {
+  const TemporaryFolder folder;
+  const std::string scene = std::string(WEFT_SAMPLE_SCENES) + "/small_network.json";
+  for (const char* threads : {"1", "3"}) {
+    const Outcome outcome = run_weft("run --time 0.2 --every 0.2 --format png --out " +
+                                         (folder / threads) + " --threads " + threads + " " + scene,
+                                     in_software);
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+  }
+  const Image one = read_png(folder / "1/frame_000001.png");
+  EXPECT_EQ(one.width, 640u);
+  EXPECT_EQ(one.rgb, read_png(folder / "3/frame_000001.png").rgb);
+}
+
+TEST(Pictures, CameraAndSizeAreTheScenes) {
+  const TemporaryFolder folder;
+  Json json = io::test::falling_scene();
+  json["time"] = {{"duration", 0}};
+  json["camera"] = {{"eye", {0.5, 1, 4}}, {"target", {0.5, 1, 0}}, {"width", 65}, {"height", 33}};
+  const std::string scene = folder.write("s.json", json.dump());
+  const std::string run = "run --format png --out " + folder.string() + " " + scene;
+  ASSERT_EQ(run_weft(run, in_software).code, 0);
+  const Image seen = read_png(folder / "frame_000000.png");
+  EXPECT_EQ(seen.width, 65u);
+  EXPECT_EQ(seen.height, 33u);
+  json["camera"]["target"] = {0.5, 1, 8};
+  folder.write("s.json", json.dump());
+  ASSERT_EQ(run_weft(run, in_software).code, 0);
+  EXPECT_LT(psnr(seen, read_png(folder / "frame_000000.png")), 30) << "it looks away";
+}
+
+TEST(Pictures, FilmsNeedFfmpegAndLeaveNothingWithout) {
+  const TemporaryFolder folder;
+  const std::string scene = folder.write("s.json", io::test::falling_scene().dump());
+  const std::string run = "run --format mp4 --out " + (folder / "f") + " " + scene;
+  const std::string program = std::string("PATH=/nowhere ") + in_software;
+  const Outcome without = run_weft(run, program);
+  EXPECT_EQ(without.code, 4);
+  EXPECT_NE(without.err.find("films cannot be made (ffmpeg"), std::string::npos) << without.err;
+  EXPECT_EQ(folder.file_count(), 1u);
+  if (std::system("command -v ffmpeg >/dev/null") != 0) return;
+  ASSERT_EQ(run_weft(run, in_software).code, 0);
+  EXPECT_GT(std::filesystem::file_size(folder / "f/s.mp4"), 1000u);
+  EXPECT_EQ(folder.file_count(), 2u);
+}
+
+}  // namespace
+}  // namespace weft::render::test

@@ -1,0 +1,91 @@
+#include "render/solids.h"
+#include "render/weave.h"
+
+#include <Eigen/LU>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace weft::render::test {
+namespace {
+
+TEST(Solids, BoundsOfEachShape) {
+  SphereDesc sphere;
+  sphere.center = {1, 2, 3};
+  sphere.radius = 2;
+  EXPECT_EQ(bounds_of(sphere).low, Vector3d(-1, 0, 1));
+  CapsuleDesc capsule;
+  capsule.a = {0, 0, 0};
+  capsule.b = {0, 4, 0};
+  capsule.radius = 1;
+  EXPECT_EQ(bounds_of(capsule).high, Vector3d(1, 5, 1));
+  BoxDesc box;
+  box.center = {0, 0, 0};
+  box.half = {1, 1, 1};
+  box.axis = {0, 0, 3};
+  box.degrees = 45;
+  EXPECT_NEAR(bounds_of(box).high.x(), std::sqrt(2.0), 1e-12);
+  EXPECT_NEAR(bounds_of(box).high.z(), 1, 1e-12);
+  EXPECT_TRUE(bounds_of(PlaneDesc{}).empty());
+}
+
+TEST(Solids, AChordBetweenParticlesOnASphereStaysOutsideOfWhatIsDrawn) {
+  io::Scene scene;
+  SphereDesc sphere;
+  sphere.radius = 0.5;
+  scene.colliders = {sphere};
+  const double spacing = 0.1;
+  const Solids solids = make_solids(scene, spacing, Box{{-1, -1, -1}, {1, 1, 1}}, nullptr);
+  ASSERT_EQ(solids.capsules.size(), 1u);
+  // The middle of an equilateral triangle with corners on the sphere.
+  const double middle = std::sqrt(0.5 * 0.5 - spacing * spacing / 3);
+  EXPECT_LT(solids.capsules[0].radius, middle);
+  EXPECT_GT(solids.capsules[0].radius, 0.98 * 0.5);
+}
+
+TEST(Solids, TheGroundIsNotDrawnTwice) {
+  io::Scene scene;
+  PlaneDesc plane;
+  plane.normal = {0, 1, 0};
+  scene.colliders = {plane};
+  const PlaneDesc* ground = ground_plane(scene, Vector3d::UnitY());
+  ASSERT_NE(ground, nullptr);
+  const Box region{{-1, -1, -1}, {1, 1, 1}};
+  EXPECT_TRUE(make_solids(scene, 0.1, region, ground).solids.empty());
+  EXPECT_EQ(make_solids(scene, 0.1, region, nullptr).solids.size(), 1u);
+  EXPECT_EQ(ground_plane(scene, Vector3d::UnitX()), nullptr);
+}
+
+TEST(Solids, FormsAreClosedAndFaceOutwards) {
+  for (const Triangles& form : {cylinder_form(), box_form()}) {
+    double volume = 0;
+    for (size_t t = 0; t < form.indices.size(); t += 3) {
+      Eigen::Matrix3d corners;
+      for (int k = 0; k < 3; ++k) {
+        const auto& v = form.vertices[form.indices[t + size_t(k)]];
+        corners.col(k) = Vector3d(v[0], v[1], v[2]);
+      }
+      volume += corners.determinant() / 6;
+    }
+    EXPECT_NEAR(volume, form.vertices.size() == 24 ? 8 : 2 * M_PI, 0.02);
+  }
+}
+
+TEST(Weave, ShowsEveryVertexSomehow) {
+  io::Scene scene;
+  scene.cloths.resize(2);
+  scene.cloths[0].shape = io::GridShape{1, 4, 1, 1, Stencil::quad4};
+  scene.cloths[1].shape = io::NetworkShape{};
+  io::Surface surface;
+  surface.positions.resize(7);
+  surface.edges = {{4, 5}};
+  surface.parts = {{"rope", 0, 4, 0, 0, 0, 0}, {"net", 4, 3, 0, 0, 0, 1}};
+  const auto shown = bars(scene, surface);
+  const std::vector<std::array<uint32_t, 2>> want{{4, 5}, {0, 1}, {1, 2}, {2, 3}, {6, 6}};
+  EXPECT_EQ(shown, want);
+  EXPECT_EQ(weave_vertices(scene, surface).size(), 7u);
+}
+
+}  // namespace
+}  // namespace weft::render::test

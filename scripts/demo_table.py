@@ -31,6 +31,7 @@ def main(arguments):
         cells = [line[0].ljust(widths[0])]
         cells += [cell.rjust(width) for cell, width in zip(line[1:], widths[1:])]
         print("  ".join(cells))
+    print("\nTime is spent in steps only (reading, drawing, writing and cooking excluded).")
 
 
 main(sys.argv[1:])

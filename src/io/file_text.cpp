@@ -35,14 +35,14 @@ class Descriptor {
                    ") give the path of an existing file");
 }
 
-uint64_t largest_file() {
+uint64_t memory_size() {
   const long pages = ::sysconf(_SC_PHYS_PAGES);
   const long page = ::sysconf(_SC_PAGESIZE);
-  if (pages <= 0 || page <= 0) return uint64_t(1) << 32;
-  return uint64_t(pages) * uint64_t(page) / 4;
+  if (pages <= 0 || page <= 0) return uint64_t(1) << 34;
+  return uint64_t(pages) * uint64_t(page);
 }
 
-uint64_t checked_size(const std::string& path, int descriptor) {
+uint64_t checked_size(const std::string& path, int descriptor, uint64_t largest) {
   struct stat status {};
   if (::fstat(descriptor, &status) != 0) fail_open(path);
   if (S_ISDIR(status.st_mode)) {
@@ -52,20 +52,22 @@ uint64_t checked_size(const std::string& path, int descriptor) {
     throw InputError(path + ": is not a regular file (its size must be known) give a file on disk");
   }
   const auto size = uint64_t(status.st_size);
-  if (size > largest_file()) {
-    throw InputError(path + ": has " + std::to_string(size) +
-                     " bytes (more than a quarter of this machine's memory, " +
-                     std::to_string(largest_file()) + ") give a smaller file");
+  if (size > largest) {
+    throw InputError(path + ": has " + std::to_string(size) + " bytes (at most " +
+                     std::to_string(largest) + " are read on this machine) give a smaller file");
   }
   return size;
 }
 
 }  // namespace
 
-FileText read_file(const std::string& path) {
+uint64_t largest_mesh_file() { return memory_size() / 4; }
+uint64_t largest_scene_file() { return std::min(memory_size() / 32, uint64_t(1) << 28); }
+
+FileText read_file(const std::string& path, uint64_t largest) {
   const Descriptor file(path);
   if (file.number() < 0) fail_open(path);
-  const uint64_t size = checked_size(path, file.number());
+  const uint64_t size = checked_size(path, file.number(), largest);
   auto bytes = std::make_unique_for_overwrite<char[]>(size_t(size) + 1);
   size_t done = 0;
   while (done < size) {

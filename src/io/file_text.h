@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -19,8 +20,15 @@ class FileText {
   size_t size_;
 };
 
-/// Reads `path` in one go. InputError when it is missing, not a regular file, larger than a quarter
-/// of the memory of this machine, or cannot be read. An empty file is not an error here.
-FileText read_file(const std::string& path);
+/// Bytes. A mesh or point cache takes up to three times its file, so its file may take a quarter of
+/// this machine's memory. A JSON document takes up to 27 times its text: at most 256 MiB, and
+/// a thirty-second of the memory.
+uint64_t largest_mesh_file();
+uint64_t largest_scene_file();
+
+/// Reads `path` in one go. InputError when it is missing, not a regular file, has more than
+/// `largest` bytes (looked at before memory is taken), or cannot be read. An empty file is not an
+/// error here.
+FileText read_file(const std::string& path, uint64_t largest);
 
 }  // namespace weft::io

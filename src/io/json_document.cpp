@@ -116,9 +116,6 @@ Json parse_json(std::string_view text, const std::string& name) {
   return builder.take();
 }
 
-std::string path_of_key(std::string_view key) {
-  std::string path = quoted(key);
-  return "." + path.substr(1, path.size() - 2);
-}
+std::string path_of_key(std::string_view key) { return "." + shown(key); }
 
 }  // namespace weft::io

@@ -17,7 +17,7 @@ bool is_named_ply(const std::string& path) {
 }  // namespace
 
 Mesh read_mesh(const std::string& path) {
-  const FileText file = read_file(path);
+  const FileText file = read_file(path, largest_mesh_file());
   if (file.view().empty()) {
     throw InputError(path + ": is empty (a mesh has vertices) give an OBJ or PLY file");
   }

@@ -40,7 +40,8 @@ class HeaderReader {
 
   PlyHeader read() {
     Cursor cursor(text_);
-    if (next_word_of_line(cursor) != "ply") fail("does not start with 'ply'", "give a PLY file");
+    if (next_word_of_line(cursor) != "ply")
+      fail("does not start with 'ply' (every PLY file does)", "give a PLY file");
     while (cursor.at < cursor.end) {
       ++line_;
       Cursor line(next_line(cursor));
@@ -100,18 +101,22 @@ class HeaderReader {
     PlyElement element;
     element.name = next_word(line);
     int64_t count = 0;
-    if (element.name.empty()) fail("an element has no name", "write 'element NAME COUNT'");
+    if (element.name.empty())
+      fail("an element has no name (its kind is told by it)", "write 'element NAME COUNT'");
     Cursor count_at = line;
     const NumberFault fault = next_integer(line, count);
     if (fault != NumberFault::none || count < 0) {
       fail("element " + quoted(element.name) + ": the count " + quoted(next_word(count_at)) +
-               " is not a whole number >= 0",
+               " is not a whole number >= 0 (it counts records)",
            "correct it");
     }
     if (header_.find(element.name)) {
-      fail("element " + quoted(element.name) + " is declared twice", "remove one of the two");
+      fail("element " + quoted(element.name) +
+               " is declared twice (their records could not be told apart)",
+           "remove one of the two");
     }
-    if (header_.elements.size() == 1000) fail("more than 1000 elements", "give a simpler file");
+    if (header_.elements.size() == 1000)
+      fail("more than 1000 elements (no mesh has them)", "give a simpler file");
     element.count = uint64_t(count);
     header_.elements.push_back(std::move(element));
   }
@@ -120,30 +125,34 @@ class HeaderReader {
     const std::string_view word = next_word(line);
     const auto type = type_named(word);
     if (!type)
-      fail("property type " + quoted(word) + " is unknown", "use one of PLY's eight types");
+      fail("property type " + quoted(word) + " is unknown (its size is not known)",
+           "use one of PLY's eight types");
     return *type;
   }
 
   void read_property(Cursor& line) {
-    if (header_.elements.empty()) fail("a property stands before any element", "reorder them");
+    if (header_.elements.empty())
+      fail("a property stands before any element (it belongs to one)", "reorder them");
     PlyProperty property;
     const Cursor type_at = line;
     property.is_list = next_word(line) == "list";
     if (property.is_list) {
       property.count_type = read_type(line);
       if (!is_integer(property.count_type))
-        fail("a list count is not an integer type", "correct it");
+        fail("a list count is not an integer type (it counts values)", "correct it");
     } else {
       line = type_at;
     }
     property.type = read_type(line);
     property.name = next_word(line);
-    if (property.name.empty()) fail("a property has no name", "write 'property TYPE NAME'");
+    if (property.name.empty())
+      fail("a property has no name (x, y and z are found by it)", "write 'property TYPE NAME'");
     header_.elements.back().properties.push_back(std::move(property));
   }
 
   void finish() const {
-    if (!has_format_) fail("the header has no format line", "add 'format ascii 1.0'");
+    if (!has_format_)
+      fail("the header has no format line (text or binary?)", "add 'format ascii 1.0'");
   }
 
   std::string_view text_;

@@ -37,18 +37,20 @@ class PlyReader {
       const auto offset = size_t(body_.position() ? body_.position() - text_.data() : 0);
       where += "line " + std::to_string(line_number(text_, offset)) + ": ";
     }
-    throw InputError(where + element_->name + " " + std::to_string(record_) + ": " + problem);
+    throw InputError(where + shown(element_->name) + " " + std::to_string(record_) + ": " +
+                     problem);
   }
   void require(bool done, const PlyProperty& property) const {
-    if (!done) fail(property.name + ": " + body_.fault());
+    if (!done) fail(shown(property.name) + ": " + body_.fault());
   }
 
   // Headers promise anything; the body cannot be shorter than its records.
   void check_size(uint64_t least) const {
     if (least == 0 || element_->count <= body_.bytes_left() / least) return;
-    throw InputError(name_ + ": element " + element_->name + " " + std::to_string(element_->count) +
-                     " does not fit in the " + std::to_string(body_.bytes_left()) +
-                     " bytes left (each takes at least " + std::to_string(least) +
+    throw InputError(name_ + ": element " + shown(element_->name) + " " +
+                     std::to_string(element_->count) + " does not fit in the " +
+                     std::to_string(body_.bytes_left()) + " bytes left (each takes at least " +
+                     std::to_string(least) +
                      "; a text-mode copy drops bytes of a binary file) give the whole file");
   }
 
@@ -80,7 +82,8 @@ class PlyReader {
   void read_coordinate(const PlyProperty& property, double& value) {
     require(body_.next_real(property.type, value), property);
     if (!std::isfinite(value)) {
-      fail(property.name + ": " + number_text(value) + " " + to_text(NumberFault::not_finite));
+      fail(shown(property.name) + ": " + number_text(value) + " " +
+           to_text(NumberFault::not_finite));
     }
   }
 
@@ -146,10 +149,10 @@ class PlyReader {
     int64_t count = 0;
     require(body_.next_integer(property.count_type, count), property);
     if (count < 0)
-      fail(property.name + ": the list length " + std::to_string(count) +
+      fail(shown(property.name) + ": the list length " + std::to_string(count) +
            " is negative (it counts values) correct it");
     if (uint64_t(count) > body_.values_left(property.type)) {
-      fail(property.name + ": the list length " + std::to_string(count) +
+      fail(shown(property.name) + ": the list length " + std::to_string(count) +
            " is more than what is left (the list is cut off) correct it");
     }
     return uint64_t(count);

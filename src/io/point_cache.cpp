@@ -65,7 +65,7 @@ size_t checked(size_t points, const std::string& path) {
 }  // namespace
 
 PointCache read_point_cache(const std::string& path) {
-  return read_point_cache(read_file(path).view(), path);
+  return read_point_cache(read_file(path, largest_mesh_file()).view(), path);
 }
 
 PointCache read_point_cache(std::string_view bytes, const std::string& name) {

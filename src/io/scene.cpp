@@ -44,7 +44,9 @@ void read_root(const Node& root, Scene& scene, MeshCache& meshes) {
 
 }  // namespace
 
-Scene read_scene(const std::string& path) { return read_scene_text(read_file(path).view(), path); }
+Scene read_scene(const std::string& path) {
+  return read_scene_text(read_file(path, largest_scene_file()).view(), path);
+}
 
 Scene read_scene_text(std::string_view text, const std::string& path) {
   const Json json = parse_json(text, path);

@@ -66,13 +66,15 @@ NumberFault next_integer(Cursor& cursor, int64_t& value) {
   return NumberFault::none;
 }
 
-std::string quoted(std::string_view text) {
+std::string shown(std::string_view text) {
   constexpr size_t longest = 40;
-  std::string out = "'";
+  std::string out;
   for (const char c : text.substr(0, longest)) out += c >= ' ' && c < 127 ? c : '?';
   if (text.size() > longest) out += "...";
-  return out + "'";
+  return out;
 }
+
+std::string quoted(std::string_view text) { return "'" + shown(text) + "'"; }
 
 std::string number_text(double value) {
   char buffer[32];

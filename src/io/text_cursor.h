@@ -52,6 +52,8 @@ NumberFault next_real(Cursor& cursor, double& value);
 /// A whole number likewise.
 NumberFault next_integer(Cursor& cursor, int64_t& value);
 
+/// At most 40 characters of a text from a file; a '?' for each that cannot be printed.
+std::string shown(std::string_view);
 /// `text` fit for a one-line message: at most 40 characters, unprintable ones as '?'.
 std::string quoted(std::string_view text);
 /// The shortest text that reads back as the same number.

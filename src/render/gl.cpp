@@ -40,16 +40,16 @@ class Shader {
 
 }  // namespace
 
-Program::Program(ShaderText vertex, ShaderText fragment) {
+Program::Program(ShaderText vertex, ShaderText fragment) : name_(glCreateProgram()) {
   const Shader vertices(GL_VERTEX_SHADER, vertex), fragments(GL_FRAGMENT_SHADER, fragment);
-  glAttachShader(program_.name(), vertices.name());
-  glAttachShader(program_.name(), fragments.name());
-  glLinkProgram(program_.name());
+  glAttachShader(name_, vertices.name());
+  glAttachShader(name_, fragments.name());
+  glLinkProgram(name_);
   GLint good = 0;
-  glGetProgramiv(program_.name(), GL_LINK_STATUS, &good);
+  glGetProgramiv(name_, GL_LINK_STATUS, &good);
   if (!good) {
     char log[1000] = {};
-    glGetProgramInfoLog(program_.name(), sizeof log, nullptr, log);
+    glGetProgramInfoLog(name_, sizeof log, nullptr, log);
     fail(std::string("the driver cannot link two shaders: ") + log);
   }
 }

@@ -11,76 +11,28 @@
 
 namespace weft::render {
 
-/// Deletes its object in the end. `Kind` is one of the structs below.
-template <class Kind>
+/// Deletes its object in the end. The parameters are two of OpenGL's functions.
+template <PFNGLGENTEXTURESPROC& Make, PFNGLDELETETEXTURESPROC& Delete>
 class Owned {
  public:
-  Owned() : name_(Kind::make()) {}
-  explicit Owned(GLuint name) : name_(name) {}
+  Owned() { Make(1, &name_); }
   Owned(Owned&& other) noexcept : name_(std::exchange(other.name_, 0)) {}
   Owned& operator=(Owned&& other) noexcept {
     std::swap(name_, other.name_);
     return *this;
   }
-  ~Owned() {
-    if (name_ != 0) Kind::destroy(name_);
-  }
+  ~Owned() { Delete(1, &name_); }  // of 0: nothing
   GLuint name() const { return name_; }
 
  private:
-  GLuint name_;
+  GLuint name_ = 0;
 };
 
-struct BufferKind {
-  static GLuint make() {
-    GLuint name = 0;
-    glGenBuffers(1, &name);
-    return name;
-  }
-  static void destroy(GLuint name) { glDeleteBuffers(1, &name); }
-};
-struct VertexArrayKind {
-  static GLuint make() {
-    GLuint name = 0;
-    glGenVertexArrays(1, &name);
-    return name;
-  }
-  static void destroy(GLuint name) { glDeleteVertexArrays(1, &name); }
-};
-struct TextureKind {
-  static GLuint make() {
-    GLuint name = 0;
-    glGenTextures(1, &name);
-    return name;
-  }
-  static void destroy(GLuint name) { glDeleteTextures(1, &name); }
-};
-struct RenderbufferKind {
-  static GLuint make() {
-    GLuint name = 0;
-    glGenRenderbuffers(1, &name);
-    return name;
-  }
-  static void destroy(GLuint name) { glDeleteRenderbuffers(1, &name); }
-};
-struct FramebufferKind {
-  static GLuint make() {
-    GLuint name = 0;
-    glGenFramebuffers(1, &name);
-    return name;
-  }
-  static void destroy(GLuint name) { glDeleteFramebuffers(1, &name); }
-};
-struct ProgramKind {
-  static GLuint make() { return glCreateProgram(); }
-  static void destroy(GLuint name) { glDeleteProgram(name); }
-};
-
-using Buffer = Owned<BufferKind>;
-using VertexArray = Owned<VertexArrayKind>;
-using Texture = Owned<TextureKind>;
-using Renderbuffer = Owned<RenderbufferKind>;
-using Framebuffer = Owned<FramebufferKind>;
+using Buffer = Owned<glGenBuffers, glDeleteBuffers>;
+using VertexArray = Owned<glGenVertexArrays, glDeleteVertexArrays>;
+using Texture = Owned<glGenTextures, glDeleteTextures>;
+using Renderbuffer = Owned<glGenRenderbuffers, glDeleteRenderbuffers>;
+using Framebuffer = Owned<glGenFramebuffers, glDeleteFramebuffers>;
 
 /// The text of a shader: functions, and what uses them.
 using ShaderText = std::initializer_list<const char*>;
@@ -89,16 +41,19 @@ using ShaderText = std::initializer_list<const char*>;
 class Program {
  public:
   Program(ShaderText vertex, ShaderText fragment);
+  Program(const Program&) = delete;
+  Program& operator=(const Program&) = delete;
+  ~Program() { glDeleteProgram(name_); }
 
-  void use() const { glUseProgram(program_.name()); }
+  void use() const { glUseProgram(name_); }
   void set(const char* uniform, const Eigen::Matrix4f& value) const;
   void set(const char* uniform, const Eigen::Vector3f& value) const;
   void set(const char* uniform, float value) const;
   void set(const char* uniform, int value) const;
 
  private:
-  GLint at(const char* uniform) const { return glGetUniformLocation(program_.name(), uniform); }
-  Owned<ProgramKind> program_;
+  GLint at(const char* uniform) const { return glGetUniformLocation(name_, uniform); }
+  GLuint name_;
 };
 
 /// Fills a buffer of vertices or instances. `use`: GL_STATIC_DRAW or GL_STREAM_DRAW.

@@ -1,5 +1,7 @@
 #include "io/json_document.h"
 #include "io/json_node.h"
+#include "io/mesh.h"
+#include "io/scene.h"
 #include "io/nearest.h"
 
 #include "support.h"
@@ -75,6 +77,21 @@ TEST(NearestWord, FindsMisspellings) {
   EXPECT_EQ(nearest_word("DAMPING", known), "damping");
   EXPECT_EQ(nearest_word("colour", known), "");
   EXPECT_EQ(nearest_word(std::string(100000, 'x'), known), "");
+}
+
+TEST(SceneFile, SizeIsLookedAtBeforeItIsRead) {
+  const TemporaryFolder folder;
+  const std::string path = folder.write("s.json", "{}");
+  std::filesystem::resize_file(path, (uint64_t(1) << 28) + 1);  // a hole: it takes no disk
+  EXPECT_CONTAINS(input_error([&] { read_scene(path); }), "has 268435457 bytes (at most ");
+  EXPECT_CONTAINS(input_error([&] { read_scene(path); }), " are read on this machine");
+}
+
+TEST(MeshFile, SizeIsLookedAtBeforeItIsRead) {
+  const TemporaryFolder folder;
+  const std::string path = folder.write("a.obj", "v 0 0 0");
+  std::filesystem::resize_file(path, uint64_t(1) << 42);
+  EXPECT_CONTAINS(input_error([&] { read_mesh(path); }), "has 4398046511104 bytes (at most ");
 }
 
 }  // namespace

@@ -145,6 +145,7 @@ TEST(PlyReader, NamesLineElementAndValue) {
 
 TEST(PlyReader, RefusesBadHeaders) {
   const std::string start = "ply\nformat ascii 1.0\n";
+  EXPECT_CONTAINS(error(""), "does not start with 'ply' (every PLY file does) give");
   EXPECT_CONTAINS(error("plx\n"), "does not start with 'ply'");
   EXPECT_CONTAINS(error(start), "ends inside the header");
   EXPECT_CONTAINS(error(start + "end_header\n"), "has no vertices");
@@ -152,6 +153,9 @@ TEST(PlyReader, RefusesBadHeaders) {
   EXPECT_CONTAINS(error("ply\nformat binary 1.0\n"), "line 2: format 'binary' is unknown");
   EXPECT_CONTAINS(error(start + "element vertex -1\n"), "the count '-1'");
   EXPECT_CONTAINS(error(start + "element vertex many\n"), "the count 'many'");
+  const std::string wrong = error(start + "element vertex 1\n" + xyz + "property float " +
+                                  std::string(500, 'n') + "\x01\nend_header\n1 2 3 four\n");
+  EXPECT_LT(wrong.size(), 300u) << "long names are cut";
   EXPECT_CONTAINS(error(start + "property float x\n"), "before any element");
   EXPECT_CONTAINS(error(start + "element vertex 1\nproperty real x\n"), "type 'real' is unknown");
   EXPECT_CONTAINS(error(start + "element vertex 1\nproperty list float int x\n"), "list count");

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # Installs what weft needs to be built and tested on Debian 12 or a relative of it.
 # usage: scripts/setup.sh [--all | --demo]
-#   --all   also clang with its OpenMP and sanitizer runtimes, hipcc with rocPRIM, and pkg-config,
-#          for the other stages of test.sh
+#   --all   also clang with its OpenMP and sanitizer runtimes, hipcc with rocPRIM, pkg-config and
+#          mkdocs, for the other stages of test.sh
 #   --demo  also ffmpeg, for the films of demo.sh
 # Says what it installs, and does nothing (in a fraction of a second) when nothing is missing.
 set -euo pipefail
@@ -74,7 +74,8 @@ need_package libepoxy-dev libegl-dev libegl1 libgl1-mesa-dri libpng-dev  # pictu
 have_thrust || need_package libthrust-dev libcub-dev
 if [[ "${1:-}" == --all ]]; then
   for package in clang libclang-rt-14-dev libomp-dev llvm \
-                 hipcc libamdhip64-dev rocm-device-libs librocprim-dev dpkg-dev pkg-config; do
+                 hipcc libamdhip64-dev rocm-device-libs librocprim-dev dpkg-dev pkg-config \
+                 mkdocs; do
     is_installed "$package" || extras+=("$package")
   done
 fi

@@ -3,9 +3,9 @@
 # usage: scripts/test.sh [--quick | STAGE...]
 #   --quick  only the release build and all of its tests
 #   STAGE    only these, for example: scripts/test.sh asan tsan
-# Stages: setup, release, cuda (needs nvcc), hip (needs hipcc), packaging, debug, and clang, asan
-# and tsan (need clang++). A stage that fails does not stop the next one; the script fails if any of
-# them did.
+# Stages: setup, docs (needs mkdocs), release, cuda (needs nvcc), hip (needs hipcc), packaging,
+# debug, and clang, asan and tsan (need clang++). A stage that fails does not stop the next one; the
+# script fails if any of them did.
 # shellcheck disable=SC2317  # the stages are called by name
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -63,6 +63,11 @@ state_hash() {  # PRESET [TOOL_OPTIONS...] SCENE [...]: after half a second
 
 setup() {
   scripts/setup.sh "${setup_options[@]}"
+}
+
+# The site of the documents, every link followed.
+docs() {
+  scripts/docs.sh
 }
 
 release() {
@@ -157,7 +162,7 @@ tsan() {
 }
 
 setup_options=(--all)
-all=(setup release cuda hip packaging clang debug asan tsan)
+all=(setup docs release cuda hip packaging clang debug asan tsan)
 case "${1:-}" in
   "") wanted=("${all[@]}") ;;
   --quick) wanted=(setup release) setup_options=() ;;
@@ -172,6 +177,7 @@ done
 
 for name in "${wanted[@]}"; do
   case $name in
+    docs) stage_if "have mkdocs" "mkdocs is missing" docs docs ;;
     cuda) stage_if have_nvcc "nvcc is missing" cuda cuda ;;
     packaging) stage_if "have pkg-config" "pkg-config is missing" packaging packaging ;;
     hip) stage_if "have hipcc" "hipcc is missing" hip hip ;;

@@ -12,6 +12,7 @@ import unittest
 import cpu_library
 import isa_symbols
 import layers
+import links
 import no_spills
 import public_headers
 import style
@@ -257,6 +258,24 @@ class Variants(Project):
         self.assert_problem(self.problems(""), "could not be read")
         self.assert_problem(self.problems("case KernelKind::a: { go(); }\n"), "could not be read")
         self.assert_problem(self.problems(self.ROW % (1, 1) + self.ROW % (2, 1)), "listed twice")
+
+
+class Links(Project):
+    def problems(self, text):
+        self.write("README.md", "# One word\n## Two `words`\n" + text)
+        self.write("docs/page.md", "[up](../README.md#two-words) [out](https://example.org/x)\n")
+        return links.check(self.root)[0]
+
+    def test_follows_paths_and_headings(self):
+        self.assertEqual(self.problems("[a](docs/page.md) [b](#one-word) [c](docs)\n"), [])
+
+    def test_refuses_what_is_not_there(self):
+        self.assert_problem(self.problems("\n[a](docs/none.md)\n"), "README.md:4")
+        self.assert_problem(self.problems("[a](#three)\n"), "no heading #three")
+        self.assert_problem(self.problems("[a](../elsewhere.md)\n"), "out of the project")
+
+    def test_refuses_headings_inside_of_code(self):
+        self.assert_problem(self.problems("```\n# three\n```\n[a](#three)\n"), "no heading")
 
 
 if __name__ == "__main__":

@@ -66,6 +66,17 @@ TEST_F(Frames, ARunThatStopsKeepsThePointsThatItHas) {
   EXPECT_LT(cache.samples, 41u);
 }
 
+TEST_F(Frames, ARunThatIsInterruptedKeepsThePointsThatItHas) {
+  Json json = falling_scene();
+  json["time"] = {{"duration", 1e6}, {"frame", 0.01}};
+  const Outcome outcome =
+      run_weft("run --every 1 --format pc2 --out " + (folder / "f") + " " + scene(json),
+               "exec timeout --preserve-status --signal INT 2 ");
+  EXPECT_EQ(outcome.code, 3) << outcome.err;
+  EXPECT_CONTAINS(outcome.err, "(signal 2) run it again for the rest");
+  EXPECT_GT(read_point_cache(folder / "f/sheet.pc2").samples, 1u);
+}
+
 TEST_F(Frames, LargestStretchIsReported) {
   Json json = scene_of(Json::parse(R"({ "name": "pair", "masses": [1, 1], "stiffness": 100,
       "network": { "positions": [[0,0,0],[1,0,0]], "springs": [[0, 1, 100, 0.8]] } })"));

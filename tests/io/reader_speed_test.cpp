@@ -91,7 +91,7 @@ Reading read_alone(const std::string& path) {
 
 enum class Format { obj, ply, ply_text };
 
-const char* name_of(Format format) {
+std::string name_of(Format format) {
   const char* const names[] = {"obj", "ply", "ply_text"};
   return names[int(format)];
 }
@@ -107,9 +107,15 @@ TEST_P(ReaderSpeed, ReadsAHundredMegabytesASecondInThriceTheFile) {
     const Surface surface = repeated(read_mesh(base_mesh()), GetParam() == Format::ply ? 38 : 70);
     vertices = surface.positions.size();
     switch (GetParam()) {
-      case Format::obj: write_obj(path, surface, Precision::float32); break;
-      case Format::ply: write_ply(path, surface, Precision::float32); break;
-      case Format::ply_text: write_ply_text(path, surface); break;
+      case Format::obj:
+        write_obj(path, surface, Precision::float32);
+        break;
+      case Format::ply:
+        write_ply(path, surface, Precision::float32);
+        break;
+      case Format::ply_text:
+        write_ply_text(path, surface);
+        break;
     }
   }
   const auto size = double(std::filesystem::file_size(path));
@@ -121,15 +127,15 @@ TEST_P(ReaderSpeed, ReadsAHundredMegabytesASecondInThriceTheFile) {
     best = std::max(best, size / reading.seconds);
     memory = std::max(memory, double(reading.bytes) / size);
   }
-  std::printf("%s: %.0f MB, %.0f MB/s, %.2f times the file in memory\n", name_of(GetParam()), size / 1e6,
-              best / 1e6, memory);
+  std::printf("%s: %.0f MB, %.0f MB/s, %.2f times the file in memory\n",
+              name_of(GetParam()).c_str(), size / 1e6, best / 1e6, memory);
   EXPECT_GE(best, least_speed);
   EXPECT_LE(memory, most_memory);
 }
 
 INSTANTIATE_TEST_SUITE_P(Formats, ReaderSpeed,
                          testing::Values(Format::obj, Format::ply, Format::ply_text),
-                         [](const auto& info) { return std::string(name_of(info.param)); });
+                         [](const auto& info) { return name_of(info.param); });
 
 }  // namespace
 }  // namespace weft::io::test

@@ -13,8 +13,8 @@ using io::test::Outcome;
 using io::test::run_weft;
 using io::test::TemporaryFolder;
 
-// The same renderer everywhere, GPU or not. Mesa's driver is unloaded with a few bytes that it never
-// frees; LeakSanitizer cannot name a module that is gone, so it does not look here.
+// The same renderer everywhere, GPU or not. Mesa's driver is unloaded with a few bytes that it
+// never frees; LeakSanitizer cannot name a module that is gone, so it does not look here.
 const char* const in_software = "LIBGL_ALWAYS_SOFTWARE=1 ASAN_OPTIONS=detect_leaks=0 exec ";
 
 struct Sample {

@@ -160,6 +160,9 @@ typedef struct weft_world_desc {
   double fixed_dt;
   uint32_t max_steps_per_advance;
   bool interpolate;
+  uint8_t evaluation, accumulate;
+  bool deterministic;
+  double fixed8_range;
 } weft_world_desc;
 typedef struct weft_pin_motion {
   weft_double3 velocity, amplitude;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "weft/fabric.hpp"
+#include "weft/plan.hpp"
 
 namespace weft {
 inline namespace v0 {
@@ -35,6 +36,10 @@ struct WorldDesc {
   uint32_t max_steps_per_advance = 4;  ///< > 0; what is left of a frame then is dropped
   /// Keep the positions before the last step, so that outputs can lie between the two.
   bool interpolate = false;
+  Evaluation evaluation = Evaluation::automatic;
+  Accumulate accumulate = Accumulate::native;  ///< others need Evaluation::scatter
+  bool deterministic = true;                   ///< Accumulate::atomic needs false
+  double fixed8_range = 1;  ///< full scale of Accumulate::fixed8 in largest spring forces, > 0
 };
 
 /// Prescribed motion of pinned vertices: p0 + velocity t + amplitude sin(omega t), t in world time.
@@ -166,21 +171,6 @@ struct WindDesc {
   double tangential = 0.02;    ///< along it, >= 0
 };
 
-/// One pass of the compiled plan, in the order it runs.
-struct PassInfo {
-  const char* stage;          ///< e.g. "advance"
-  const char* per;            ///< "substep", "frame" or "call"
-  const char* kernel;         ///< e.g. "grid_seed12_float32"
-  uint64_t count;             ///< particles it touches
-  double bytes_per_particle;  ///< moved once through memory, neighbours from cache
-  double flops_per_particle;  ///< additions, multiplications, divisions and roots
-};
-struct PlanInfo {
-  View<PassInfo> passes;  ///< valid until the next call on the world
-  uint64_t bytes_state;   ///< particles, springs and effects on the device
-  uint64_t bytes_total;   ///< all that the library asks its allocator for
-};
-
 /// The largest stable step of a cloth or a world: dt^2 K + 2 dt C = 4 with K and C the largest
 /// S_i/m_i + S_j/m_j over the springs, S the summed stiffness (or damping) of a vertex. Wind lowers
 /// it as a drag, by a factor of sqrt(2) at most. Holds at every deformation, linearly.
@@ -196,6 +186,7 @@ enum class EventType : uint8_t {
   slept,             ///< a cloth has come to rest (ClothDesc::sleep_speed)
   woke,              ///< and moves again
   time_dropped,      ///< advance() could not keep up: Stats::time_dropped has grown
+  force_overflow,    ///< a spring force left the range of Accumulate::fixed64; `vertex` is an end
 };
 WEFT_API const char* to_string(EventType) noexcept;
 struct Event {

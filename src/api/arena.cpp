@@ -8,43 +8,8 @@
 #include "api/collider_inputs.h"
 #include "api/pin_inputs.h"
 #include "api/survey.h"
-#include "scene/grid.h"
 
 namespace weft::api {
-
-plan::ClothShape shape_of(const ClothRecord& cloth) {
-  const scene::CookedFabric& fabric = cloth.cooked();
-  plan::ClothShape shape{};
-  shape.particles = fabric.vertices;
-  shape.directed_springs = 2 * fabric.springs;
-  shape.constant_forces = !cloth.forces.empty();
-  shape.drag = cloth.drag > 0;
-  shape.spring_damping = cloth.spring_damping > 0;
-  shape.sleeps = cloth.sleep_speed > 0;
-  shape.triangles = scene::triangle_count(fabric) > 0;
-  if (fabric.is_grid) {
-    static_assert(int(KernelKind::seed12) == int(Stencil::seed12) &&
-                  int(KernelKind::classic12) == int(Stencil::classic12) &&
-                  int(KernelKind::quad4) == int(Stencil::quad4) &&
-                  int(KernelKind::tri6) == int(Stencil::tri6));
-    shape.kind = static_cast<KernelKind>(fabric.grid.stencil);
-    const int reach = scene::stencil_reach(fabric.grid.stencil);
-    const int columns = fabric.grid.rows > 1 ? static_cast<int>(fabric.grid.columns) : 0;
-    shape.guard = reach * columns + reach;
-  } else {
-    shape.kind =
-        fabric.rows.stiffness.empty() ? KernelKind::mesh_uniform : KernelKind::mesh_per_spring;
-    shape.row_entries = fabric.slice_start.empty() ? 0 : fabric.slice_start.back();
-  }
-  std::vector<uint32_t> blocks;
-  for (const PinRecord& pin : cloth.pins) {
-    if (pin.can_move) blocks.push_back(fabric.storage(pin.vertex) / block_size);
-  }
-  std::sort(blocks.begin(), blocks.end());
-  blocks.erase(std::unique(blocks.begin(), blocks.end()), blocks.end());
-  shape.moving_pin_blocks = static_cast<uint32_t>(blocks.size());
-  return shape;
-}
 
 namespace {
 
@@ -211,6 +176,32 @@ class ArenaOf final : public Arena {
       }
     }
     return Status::ok;
+  }
+
+  Status force_overflow(ForceOverflow& found) override {
+    found = {};
+    if (layout_.edges.overflow == plan::absent) return Status::ok;
+    unsigned long long key = no_overflow;
+    Status status =
+        backend_.to_host(&key, at<unsigned long long>(layout_.edges.overflow), sizeof key);
+    if (status != Status::ok || key == no_overflow) return status;
+    found.happened = true;
+    found.substep = static_cast<int>(key >> 32);
+    const auto e = static_cast<size_t>(key & 0xffffffffu);
+    T stiffness{}, rest{};
+    status = backend_.to_host(&found.a, at<int32_t>(layout_.edges.a) + e, sizeof found.a);
+    if (status == Status::ok) {
+      status = backend_.to_host(&found.b, at<int32_t>(layout_.edges.b) + e, sizeof found.b);
+    }
+    if (status == Status::ok) {
+      status = backend_.to_host(&stiffness, at<T>(layout_.edges.stiffness) + e, sizeof stiffness);
+    }
+    if (status == Status::ok) {
+      status = backend_.to_host(&rest, at<T>(layout_.edges.rest) + e, sizeof rest);
+    }
+    found.stiffness = static_cast<double>(stiffness);
+    found.rest = static_cast<double>(rest);
+    return status;
   }
 
   uint64_t bytes() const override { return layout_.bytes; }

@@ -25,7 +25,9 @@ struct ArenaInput {
   plan::WorldShape shape;
 };
 
-/// Kernel that a cloth is advanced by, and its numbers for the plan.
+/// Kernel that a cloth is advanced by.
+KernelKind kind_of(const ClothRecord&);
+/// And its numbers for the plan.
 plan::ClothShape shape_of(const ClothRecord&);
 
 struct FrameInput {
@@ -45,6 +47,13 @@ struct VertexTarget {
   VertexAttribute position, normal, last_position;
 };
 
+/// The first spring whose force left the range of fixed64: elements of its ends, and its constants.
+struct ForceOverflow {
+  bool happened = false;
+  int substep = 0, a = 0, b = 0;
+  double stiffness = 0, rest = 0;
+};
+
 class Arena {
  public:
   virtual ~Arena() = default;
@@ -62,6 +71,8 @@ class Arena {
   virtual Status read(const ClothRecord&, StateArray, std::vector<double3>& out) = 0;
   /// Writes vertices to host memory; normals after the call that makes them.
   virtual Status write(const ClothRecord&, const VertexTarget&, Workers) = 0;
+  /// Particles stand where they were when it happened.
+  virtual Status force_overflow(ForceOverflow&) = 0;
   virtual uint64_t bytes() const = 0;
 };
 

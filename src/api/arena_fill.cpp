@@ -3,16 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "api/evaluation.h"
+#include "api/spring_fill.h"
 #include "scene/fan.h"
 #include "scene/grid.h"
 
 namespace weft::api {
 
 namespace {
-
-int slices_of(const ClothRecord& cloth) {
-  return static_cast<int>((cloth.cooked().vertices + block_size - 1) / block_size);
-}
 
 /// Displacement of the substep before the present one.
 double3 start_displacement(const ClothRecord& cloth, uint32_t v, double dt, double time) {
@@ -36,7 +34,7 @@ template <class T>
 class ImageFiller {
  public:
   ImageFiller(const ArenaInput& in, const plan::Layout& layout, int step, char* image)
-      : in_(in), layout_(layout), step_(step), image_(image) {}
+      : in_(in), layout_(layout), step_(step), image_(image), springs_(in, layout, image) {}
 
   void fill(double dt_before, double time) {
     for (size_t c = 0; c < in_.cloths.size(); ++c) {
@@ -49,10 +47,10 @@ class ImageFiller {
       fill_state(cloth, dt_before, time);
       if (cloth.cooked().is_grid) {
         fill_presence(cloth);
-      } else {
-        fill_rows(cloth);
-        if (layout_.triangle_start != plan::absent) fill_fans(cloth);
+      } else if (layout_.triangle_start != plan::absent) {
+        fill_fans(cloth);
       }
+      springs_.fill(cloth);
       fill_forces(cloth);
       if (!cloth.cooked().is_grid) slice_ += slices_of(cloth);
       next_ += slices_of(cloth) * block_size;
@@ -124,44 +122,6 @@ class ImageFiller {
     if (v % block_size != 0) inner[blocks - 1] = 0;  // padding has no neighbours
   }
 
-  void fill_rows(const ClothRecord& cloth) {
-    const scene::CookedFabric& fabric = cloth.cooked();
-    const scene::SpringRows& rows = fabric.rows;
-    std::vector<Vec3<T>> rest_shape(fabric.vertices);
-    for (uint32_t v = 0; v < fabric.vertices; ++v) {
-      rest_shape[v] = narrow<T>(minus(posed(cloth, v), cloth.origin));
-    }
-    int64_t* start = array<int64_t>(layout_.slice_start) + slice_;
-    int32_t* neighbour = array<int32_t>(layout_.neighbour);
-    T* rest = array<T>(layout_.rest);
-    T* stiffness = layout_.stiffness == plan::absent ? nullptr : array<T>(layout_.stiffness);
-    const int slices = slices_of(cloth);
-    for (int s = 0; s < slices; ++s) {
-      const int64_t first = entry_ + fabric.slice_start[size_t(s)];
-      start[s] = first;
-      start[s + 1] = entry_ + fabric.slice_start[size_t(s) + 1];
-      for (int lane = 0; lane < block_size; ++lane) {
-        const int self = s * block_size + lane;
-        int64_t e = first + lane;
-        if (self < static_cast<int>(fabric.vertices)) {
-          const uint32_t v = fabric.caller_of[size_t(self)];
-          for (uint64_t k = rows.start[v]; k < rows.start[size_t(v) + 1]; ++k, e += block_size) {
-            const uint32_t n = rows.neighbour[k];
-            neighbour[e] = cloth.first + static_cast<int32_t>(fabric.storage_of[n]);
-            const double given = rows.rest.empty() ? fabric.rest_length : rows.rest[k];
-            rest[e] = given >= 0 ? static_cast<T>(given) : distance(rest_shape[v], rest_shape[n]);
-            if (stiffness) {
-              stiffness[e] = static_cast<T>(rows.stiffness.empty() ? fabric.stiffness.stretch
-                                                                   : rows.stiffness[k]);
-            }
-          }
-        }
-        for (; e < start[s + 1]; e += block_size) neighbour[e] = cloth.first + self;
-      }
-    }
-    entry_ += fabric.slice_start[size_t(slices)];
-  }
-
   void fill_fans(const ClothRecord& cloth) {
     const scene::Fans fans = scene::build_fans(cloth.cooked());
     int64_t* start = array<int64_t>(layout_.triangle_start) + slice_;
@@ -173,12 +133,6 @@ class ImageFiller {
       last[e] = cloth.first + fans.last[e];
     }
     corner_ += static_cast<int64_t>(fans.next.size());
-  }
-
-  /// In the expression of kernels/spring.h, so that a rest shape pulls nothing to the last bit.
-  static T distance(const Vec3<T>& a, const Vec3<T>& b) {
-    const T x = b.x - a.x, y = b.y - a.y, z = b.z - a.z;
-    return std::sqrt(x * x + y * y + z * z);
   }
 
   void fill_forces(const ClothRecord& cloth) {
@@ -194,35 +148,10 @@ class ImageFiller {
   const plan::Layout& layout_;
   int step_;
   char* image_;
+  SpringFiller<T> springs_;
   int next_ = 0, slice_ = 0, forced_ = 0;
-  int64_t entry_ = 0, corner_ = 0;
+  int64_t corner_ = 0;
 };
-
-/// +column, +row, -column, -row by one, or none of them.
-int axis_of(const scene::StencilOffset& o) {
-  if (o.row == 0 && o.column == 1) return 0;
-  if (o.row == 1 && o.column == 0) return 1;
-  if (o.row == 0 && o.column == -1) return 2;
-  return o.row == -1 && o.column == 0 ? 3 : -1;
-}
-
-template <class T>
-void fill_grid_constants(const scene::CookedFabric& fabric, ClothParams<T>& p) {
-  const scene::GridShape& grid = fabric.grid;
-  const scene::StencilTable& table = scene::stencil_table(grid.stencil);
-  // A single row has nothing above or below: its loads may stay where they are.
-  p.columns = grid.rows > 1 ? static_cast<int>(grid.columns) : 0;
-  for (int k = 0; k < table.count; ++k) {
-    const scene::StencilOffset o = table.offset[k];
-    p.stiffness[k] = static_cast<T>(scene::stencil_stiffness(o, fabric.stiffness));
-    const int axis = axis_of(o);
-    if (axis >= 0) p.axial[axis] = 1 << k;
-    const T x = static_cast<T>(o.column * grid.column_spacing);
-    const T y = static_cast<T>(o.row * grid.row_spacing);
-    p.rest[k] =
-        fabric.rest_length >= 0 ? static_cast<T>(fabric.rest_length) : std::sqrt(x * x + y * y);
-  }
-}
 
 }  // namespace
 
@@ -249,6 +178,12 @@ void fill_params(const ArenaInput& in, std::vector<ClothParams<T>>& out) {
     const Drag model = cloth.drag_model == DragModel::central ? Drag::central : Drag::lagged;
     p.drag_model = static_cast<int>(cloth.drag > 0 ? model : Drag::none);
     p.starting = cloth.moved ? 0 : 1;
+    if (cloth.scatters) {
+      const FixedRange range = fixed_range(cloth);
+      p.fixed_scale = static_cast<T>(range.scale);
+      p.fixed_limit = static_cast<T>(range.scale * range.limit);
+      p.half_scale = static_cast<T>(half_scale(cloth));
+    }
     p.force_offset = cloth.forces.empty() ? no_forces : forced - cloth.first;
     if (!cloth.forces.empty()) forced += slices_of(cloth) * block_size;
     p.in_wind = in.wind != nullptr && in.shape.cloths[c].triangles ? 1 : 0;

@@ -19,6 +19,10 @@ void fill_survey_ranges(const ArenaInput&, const plan::Layout&, char* image);
 template <class T>
 void fill_params(const ArenaInput&, std::vector<ClothParams<T>>& out);
 
+inline int slices_of(const ClothRecord& cloth) {
+  return static_cast<int>((cloth.cooked().vertices + block_size - 1) / block_size);
+}
+
 template <class T>
 Vec3<T> narrow(const double3& v) {
   return {static_cast<T>(v.x), static_cast<T>(v.y), static_cast<T>(v.z)};

@@ -3,6 +3,36 @@
 namespace weft::api {
 
 template <class T>
+static Edges<T> edges_of(const plan::EdgeLayout& l, const plan::WorldShape& shape, char* base) {
+  const auto at = [base](size_t offset) {
+    return offset == plan::absent ? nullptr : base + offset;
+  };
+  const auto vectors = [&](const plan::VectorArray& a) {
+    return Vec3Array<T>{reinterpret_cast<T*>(at(a.offset)), a.pitch};
+  };
+  Edges<T> e{};
+  uint64_t count = 0;
+  for (const plan::ClothShape& c : shape.cloths) count += c.edges;
+  e.blocks = static_cast<int>(count / block_size);
+  e.cloth = reinterpret_cast<const int32_t*>(at(l.cloth));
+  e.a = reinterpret_cast<const int32_t*>(at(l.a));
+  e.b = reinterpret_cast<const int32_t*>(at(l.b));
+  e.rest = reinterpret_cast<const T*>(at(l.rest));
+  e.stiffness = reinterpret_cast<const T*>(at(l.stiffness));
+  e.force = vectors(l.force);
+  e.damping = vectors(l.damping);
+  e.start = reinterpret_cast<const int64_t*>(at(l.start));
+  e.incident = reinterpret_cast<const int32_t*>(at(l.incident));
+  e.accumulation = shape.accumulation;
+  e.total = vectors(l.total);
+  e.fixed = reinterpret_cast<unsigned long long*>(at(l.fixed));
+  e.overflow = reinterpret_cast<unsigned long long*>(at(l.overflow));
+  e.largest = reinterpret_cast<unsigned long long*>(at(l.largest));
+  e.full_scale = shape.full_scale;
+  return e;
+}
+
+template <class T>
 Simulation<T> views_of(const plan::Layout& l, const plan::Plan& plan, const plan::WorldShape& shape,
                        char* base) {
   const auto at = [base](size_t offset) {
@@ -20,10 +50,28 @@ Simulation<T> views_of(const plan::Layout& l, const plan::Plan& plan, const plan
   sim.presence = reinterpret_cast<const uint16_t*>(at(l.presence));
   sim.inverse_mass = reinterpret_cast<const T*>(at(l.inverse_mass));
   sim.force = vectors(l.force);
-  int row_block = 0;
+  int mesh_block = 0, row_block = 0, scatter_block = 0, scatter_blocks = 0;
   for (const BlockRange& r : plan.ranges) {
     sim.ranges[sim.range_count++] = r;
-    if (plan::is_grid(r.kind)) row_block = r.first + r.count;
+    const int end = r.first + r.count;
+    if (plan::is_grid(r.kind)) mesh_block = end;
+    if (r.kind < KernelKind::scatter_grid) scatter_block = end;
+    if (r.kind <= KernelKind::scatter_mesh) row_block = end;
+    if (plan::scatters(r.kind)) scatter_blocks += r.count;
+  }
+  if (scatter_blocks > 0) {
+    sim.edges = edges_of<T>(l.edges, shape, base);
+    sim.edges.first_block = scatter_block;
+    sim.edges.particle_blocks = scatter_blocks;
+  }
+  if (l.hubs.hub != plan::absent) {
+    sim.hubs = {reinterpret_cast<const int32_t*>(at(l.hubs.of_block)),
+                reinterpret_cast<const Hub*>(at(l.hubs.hub)),
+                reinterpret_cast<const HubChunk*>(at(l.hubs.chunk)),
+                reinterpret_cast<Vec3<T>*>(at(l.hubs.force)),
+                reinterpret_cast<Vec3<T>*>(at(l.hubs.damping)),
+                static_cast<int>(shape.hubs()),
+                static_cast<int>(shape.hub_chunks())};
   }
   sim.rows = {reinterpret_cast<const int64_t*>(at(l.slice_start)),
               reinterpret_cast<const int32_t*>(at(l.neighbour)),
@@ -47,7 +95,7 @@ Simulation<T> views_of(const plan::Layout& l, const plan::Plan& plan, const plan
   sim.survey_count = static_cast<int>(shape.survey_groups());
   sim.triangles = {reinterpret_cast<const int64_t*>(at(l.triangle_start)),
                    reinterpret_cast<const int32_t*>(at(l.triangle_next)),
-                   reinterpret_cast<const int32_t*>(at(l.triangle_last)), row_block};
+                   reinterpret_cast<const int32_t*>(at(l.triangle_last)), mesh_block};
   sim.pins = {vectors(l.pin_base), vectors(l.pin_glide),
               reinterpret_cast<const int32_t*>(at(l.pin_motion)),
               reinterpret_cast<const Vec3<T>*>(at(l.pin_offset)), static_cast<int>(shape.motions)};

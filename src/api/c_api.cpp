@@ -54,7 +54,11 @@ weft_world_desc weft_default_world(void) {
           d.unsafe,
           d.fixed_dt,
           d.max_steps_per_advance,
-          d.interpolate};
+          d.interpolate,
+          static_cast<uint8_t>(d.evaluation),
+          static_cast<uint8_t>(d.accumulate),
+          d.deterministic,
+          d.fixed8_range};
 }
 weft_pose weft_default_pose(void) { return api::to_c(Pose{}); }
 weft_cloth_desc weft_default_cloth(void) {

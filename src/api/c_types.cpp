@@ -74,6 +74,10 @@ WorldDesc from_c(const weft_world_desc& d) {
   out.fixed_dt = d.fixed_dt;
   out.max_steps_per_advance = d.max_steps_per_advance;
   out.interpolate = d.interpolate;
+  out.evaluation = choice<Evaluation>(d.evaluation);
+  out.accumulate = choice<Accumulate>(d.accumulate);
+  out.deterministic = d.deterministic;
+  out.fixed8_range = d.fixed8_range;
   return out;
 }
 

@@ -45,6 +45,10 @@ struct ClothRecord {
       positions;  ///< start, world; empty: rest shape. Freed once it has moved
   std::pmr::vector<double3> velocities;  ///< start; empty: `velocity`. Freed once it has moved
 
+  bool scatters = false;      ///< its springs are evaluated once each (api/evaluation.h)
+  double force_scale = 0;     ///< N: of one spring (api/evaluation.h)
+  uint32_t most_springs = 0;  ///< of a vertex
+
   double sleep_speed = 0, sleep_time = 0;
   bool asleep = false;
   double calm = 0;   ///< s: how long nothing has been faster than sleep_speed

@@ -52,6 +52,38 @@ const char* to_string(Stencil stencil) noexcept {
   return "unknown";
 }
 
+const char* to_string(Evaluation evaluation) noexcept {
+  switch (evaluation) {
+    case Evaluation::automatic:
+      return "auto";
+    case Evaluation::gather:
+      return "gather";
+    case Evaluation::scatter:
+      return "scatter";
+  }
+  return "unknown";
+}
+
+const char* to_string(Accumulate accumulate) noexcept {
+  switch (accumulate) {
+    case Accumulate::native:
+      return "native";
+    case Accumulate::atomic:
+      return "atomic";
+    case Accumulate::fixed64:
+      return "fixed64";
+    case Accumulate::float16:
+      return "float16";
+    case Accumulate::float24:
+      return "float24";
+    case Accumulate::float24_all:
+      return "float24_all";
+    case Accumulate::fixed8:
+      return "fixed8";
+  }
+  return "unknown";
+}
+
 const char* to_string(EventType type) noexcept {
   switch (type) {
     case EventType::non_finite:
@@ -64,6 +96,8 @@ const char* to_string(EventType type) noexcept {
       return "woke";
     case EventType::time_dropped:
       return "time_dropped";
+    case EventType::force_overflow:
+      return "force_overflow";
   }
   return "unknown";
 }

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "api/entry.h"
+#include "api/evaluation.h"
 #include "api/vector_math.h"
 #include "api/world_state.h"
 #include "scene/check.h"
@@ -18,6 +19,24 @@ void check_world(const WorldDesc& desc) {
   scene::check_choice(int(desc.precision), 2, "precision", "float32, float64");
   scene::check_choice(int(desc.form), 2, "form", "summed, position");
   scene::check_choice(int(desc.start), 2, "start", "taylor, lagged");
+  scene::check_choice(int(desc.evaluation), 3, "evaluation", "automatic, gather, scatter");
+  scene::check_choice(int(desc.accumulate), 7, "accumulate",
+                      "native, atomic, fixed64, float16, float24, float24_all, fixed8");
+  if (desc.accumulate != Accumulate::native && desc.evaluation != Evaluation::scatter) {
+    throw InvalidInput(
+        text("accumulate is %s (a gather sums in registers) give native or set "
+             "evaluation to scatter",
+             to_string(desc.accumulate)));
+  }
+  if (desc.accumulate == Accumulate::atomic && desc.deterministic) {
+    throw InvalidInput(
+        "accumulate is atomic while deterministic is true (the order of atomic additions changes "
+        "from run to run) set deterministic to false or give fixed64");
+  }
+  if (!std::isfinite(desc.fixed8_range) || !(desc.fixed8_range > 0)) {
+    throw InvalidInput(text("fixed8_range is %g (full scale is above 0) give largest spring forces",
+                            desc.fixed8_range));
+  }
   if (!std::isfinite(desc.fixed_dt) || !(desc.fixed_dt > 0)) {
     throw InvalidInput(
         text("fixed_dt is %g (it is the step of advance) give seconds above 0", desc.fixed_dt));
@@ -89,6 +108,7 @@ Result<ClothId> World::create_cloth(const ClothDesc& cloth_desc) noexcept {
     auto record = std::make_unique<api::ClothRecord>(&impl_->context->memory);
     fill_record(cloth_desc, *record);
     impl_->start_bounds_of(*record);
+    choose_evaluation(impl_->desc, impl_->context->backend->info(), *record);
     if (impl_->order.size() == impl_->order.capacity()) {
       impl_->order.reserve(2 * impl_->order.size() + 8);
     }

@@ -4,6 +4,7 @@
 
 #include "api/arena_fill.h"
 #include "api/entry.h"
+#include "api/evaluation.h"
 #include "api/world_state.h"
 #include "scene/energy.h"
 
@@ -261,6 +262,15 @@ Result<PlanInfo> World::plan() noexcept {
           {p.stage, p.per, p.kernel.c_str(), p.count, p.bytes_per_particle, p.flops_per_particle});
     }
     info.passes = {impl_->passes.data(), impl_->passes.size()};
+    impl_->evaluations.clear();
+    for (const ClothId id : impl_->order) {
+      const api::ClothRecord& cloth = *impl_->cloths[id.index];
+      const plan::EvaluationCost cost =
+          api::cost_of(cloth, impl_->desc.precision, impl_->context->backend->info());
+      impl_->evaluations.push_back({id, cloth.scatters ? Evaluation::scatter : Evaluation::gather,
+                                    cost.gather, cost.scatter});
+    }
+    info.evaluations = {impl_->evaluations.data(), impl_->evaluations.size()};
     info.bytes_state = plan::lay_out(in.shape, impl_->context->backend->info().particle_step).bytes;
     const uint64_t arena_now = impl_->built ? impl_->arena->bytes() : 0;
     info.bytes_total = impl_->context->memory.held() - arena_now + info.bytes_state;

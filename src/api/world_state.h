@@ -75,6 +75,8 @@ struct __attribute__((visibility("hidden"))) World::Impl {
   void start_bounds_of(api::ClothRecord&) const;
   void publish_bounds(api::ClothRecord&) const;
   Status report_not_finite();
+  /// Of a force beyond the range of fixed64 in the last step; ok when there was none.
+  Status report_overflow();
   /// What a collider can touch between now and the end of a step of `dt` wakes up, if it moves.
   void wake_touched(const api::ColliderRecord&, double dt);
   void wake_by_colliders(double dt);
@@ -132,6 +134,7 @@ struct __attribute__((visibility("hidden"))) World::Impl {
   std::vector<Event> events;
   plan::Plan plan;
   std::vector<PassInfo> passes;
+  std::vector<EvaluationInfo> evaluations;
 
   api::Runner runner;  ///< last: it must have ended before anything else goes
 };

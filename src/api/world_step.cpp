@@ -44,10 +44,20 @@ double fewest_substeps(double dt, double limit) {
 }
 
 bool before_in_arena(const api::ClothRecord* a, const api::ClothRecord* b) {
-  return api::shape_of(*a).kind < api::shape_of(*b).kind;
+  return api::kind_of(*a) < api::kind_of(*b);
 }
 
 }  // namespace
+
+static Accumulation accumulation_of(Accumulate accumulate) {
+  static_assert(int(Accumulation::atomic) == int(Accumulate::atomic) &&
+                int(Accumulation::fixed64) == int(Accumulate::fixed64) &&
+                int(Accumulation::float16) == int(Accumulate::float16) &&
+                int(Accumulation::float24) == int(Accumulate::float24) &&
+                int(Accumulation::float24_all) == int(Accumulate::float24_all) &&
+                int(Accumulation::fixed8) == int(Accumulate::fixed8));
+  return static_cast<Accumulation>(accumulate);
+}
 
 inline namespace v0 {
 
@@ -63,10 +73,16 @@ api::ArenaInput World::Impl::arena_input(uint32_t substeps) {
   std::stable_sort(in.cloths.begin(), in.cloths.end(), before_in_arena);
   in.shape.precision = desc.precision;
   in.shape.position_form = desc.form == Form::position;
+  in.shape.accumulation = accumulation_of(desc.accumulate);
+  in.shape.full_scale = desc.fixed8_range;
   in.shape.substeps = std::max(1u, substeps);
   int motions = 1;
   for (api::ClothRecord* cloth : in.cloths) {
     in.shape.cloths.push_back(api::shape_of(*cloth));
+    if (cloth->scatters && uses_atomics(in.shape.accumulation)) {
+      in.shape.cloths.back().row_entries = 0;
+      in.shape.cloths.back().hubs = in.shape.cloths.back().hub_chunks = 0;
+    }
     if (wind || normals_wanted) {
       in.shape.cloths.back().triangle_entries = scene::fan_entries(cloth->cooked());
     }
@@ -318,6 +334,7 @@ Status World::Impl::land() {
   for (const api::ClothRecord* cloth : built->cloths) {
     if (cloth->broken) return report_not_finite();
   }
+  if (desc.accumulate == Accumulate::fixed64) return report_overflow();
   return Status::ok;
 }
 

@@ -46,6 +46,13 @@
 #  define WEFT_SHUFFLE_DOWN(value, by) (value)
 #endif
 
+/// The first where a GPU runs this, the second on the host.
+#if defined(__CUDA_ARCH__) || defined(__HIP_DEVICE_COMPILE__)
+#  define WEFT_DEVICE_OR_HOST(device, host) device
+#else
+#  define WEFT_DEVICE_OR_HOST(device, host) host
+#endif
+
 #ifndef WEFT_BACKEND_NS
 #  define WEFT_BACKEND_NS host
 #endif
@@ -70,5 +77,10 @@ namespace weft {
 
 /// Particles that share one control flow: a GPU warp, or a few CPU vectors.
 constexpr int block_size = 32;
+
+/// Springs of the longest row that stays in its slice, and entries of a chunk of a longer one, a
+/// multiple of block_size (state/springs.h).
+constexpr int hub_valence = 128;
+constexpr int hub_chunk = 1024;
 
 }  // namespace weft

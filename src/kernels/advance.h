@@ -9,6 +9,7 @@
 #include "kernels/grid_springs.h"
 #include "kernels/mesh_springs.h"
 #include "kernels/particle_stages.h"
+#include "kernels/scatter_springs.h"
 #include "kernels/wind.h"
 #include "state/stages.h"
 
@@ -36,6 +37,7 @@ struct Advance {
         return stages.rest(sim.activity[of_cloth], i0, lanes);
       }
     }
+    if (springs.stopped()) return stages.stand_still(i0, lanes);
     LaneVec3<T, N> force;
     springs.gather(cloth, stages.p, block, i0, lanes, force);
     if constexpr (contains(Set, Stage::forces)) {

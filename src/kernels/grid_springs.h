@@ -23,6 +23,8 @@ struct GridSprings {
   const uint16_t* presence;
   const uint8_t* inner;
 
+  WEFT_HD bool stopped() const { return false; }
+
   /// Distances in memory from a particle to its neighbours.
   struct Shifts {
     int by[neighbours];

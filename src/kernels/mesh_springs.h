@@ -1,13 +1,13 @@
 // Spring forces of a mesh or network, gathered over sliced rows (state/springs.h).
 //
 // Georgii and Westermann 2005, section 4.1 (point-centric approach), without padding every row to
-// the largest valence: the width is a slice's own.
+// the largest valence: the width is a slice's own, and hubs have a pass of theirs (kernels/hubs.h).
 #pragma once
 
 #include "base/lanes.h"
 #include "kernels/displacement.h"
 #include "kernels/fan.h"
-#include "kernels/spring.h"
+#include "kernels/hubs.h"
 #include "state/simulation.h"
 
 namespace weft {
@@ -18,6 +18,9 @@ template <class T, bool PerSpring>
 struct MeshSprings {
   using Fan = MeshFan<T>;
   SlicedRows<T> rows;
+  Hubs<T> hubs;
+
+  WEFT_HD bool stopped() const { return false; }
 
   template <int N>
   WEFT_HD void gather(const ClothParams<T>& cloth, const ParticleBuffers<T>& p, int block, int i0,
@@ -32,6 +35,9 @@ struct MeshSprings {
         const T stiffness = PerSpring ? rows.stiffness[e + l] : uniform;
         force.set(l, force.get(l) + spring_force(to, stiffness, rows.rest[e + l]));
       });
+    }
+    if (hubs.of_block != nullptr) {
+      add_hubs(hubs, hubs.force, NativeSum<T>{}, block, i0, lanes, force);
     }
   }
 
@@ -48,6 +54,9 @@ struct MeshSprings {
             per_dt * (displacement<Position>(p, j) - displacement<Position>(p, i0 + l));
         force.set(l, force.get(l) + spring_damping_force(to, velocity, cloth.spring_damping));
       });
+    }
+    if (hubs.of_block != nullptr) {
+      add_hubs(hubs, hubs.damping, NativeSum<T>{}, block, i0, lanes, force);
     }
   }
 };

@@ -20,7 +20,11 @@ struct ParticleStages {
   /// A sleeping cloth stands still: once its state is in every buffer, nothing is left to do.
   template <int N>
   WEFT_HD void rest(const ClothActivity<T>& activity, int i0, Lanes<N> lanes) const {
-    if (step.substep >= activity.settling) return;
+    if (step.substep < activity.settling) stand_still(i0, lanes);
+  }
+
+  template <int N>
+  WEFT_HD void stand_still(int i0, Lanes<N> lanes) const {
     lanes.each([&](int l) WEFT_LANE {
       const Vec3<T> x = load(p.x_in, i0 + l);
       store(p.x_out, i0 + l, x);

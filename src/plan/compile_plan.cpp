@@ -1,5 +1,7 @@
 #include "plan/plan.h"
 
+#include <algorithm>
+
 namespace weft::plan {
 
 namespace {
@@ -7,6 +9,7 @@ namespace {
 // Additions, multiplications, divisions and roots of the kernels, counted from their source.
 constexpr double spring_flops = 18;          // kernels/spring.h with the difference and the sum
 constexpr double spring_damping_flops = 22;  // the same, with velocities
+constexpr double sum_flops = 3;              // of a force that is there already
 constexpr double integrate_flops = 22;       // w f + g, r d + h a, x + d
 constexpr double drag_flops = 10;
 constexpr double pin_flops = 9;
@@ -21,6 +24,7 @@ constexpr struct {
                              {"cylinder", 24}, {"box", 21},  {"mesh", 25}};
 
 struct Sums {
+  uint64_t edges = 0;
   uint64_t particles = 0, springs = 0, forced = 0, dragged = 0, damped_springs = 0, pinned = 0;
   uint64_t blown = 0;    ///< particles
   double triangles = 0;  ///< corners of triangles, with the padding of sliced rows
@@ -34,6 +38,7 @@ Sums sum_of(const WorldShape& world, KernelKind kind) {
     s.particles += c.particles;
     s.springs += c.directed_springs;
     s.entries += c.row_entries;
+    s.edges += c.edges;
     if (c.constant_forces) s.forced += c.particles;
     if (c.drag) s.dragged += c.particles;
     if (c.spring_damping) s.damped_springs += c.directed_springs;
@@ -46,6 +51,75 @@ Sums sum_of(const WorldShape& world, KernelKind kind) {
   return s;
 }
 
+/// Of the sum of a particle, read by the pass that integrates.
+double sum_bytes(Accumulation a, double scalar) {
+  if (a == Accumulation::fixed64) return 2 * 24;
+  return (a == Accumulation::atomic ? 2 : 1) * 3 * scalar;
+}
+
+const char* name_of(Accumulation a) {
+  switch (a) {
+    case Accumulation::native:
+      return "native";
+    case Accumulation::atomic:
+      return "atomic";
+    case Accumulation::fixed64:
+      return "fixed64";
+    case Accumulation::float16:
+      return "float16";
+    case Accumulation::float24:
+      return "float24";
+    case Accumulation::float24_all:
+      return "float24_all";
+    case Accumulation::fixed8:
+      return "fixed8";
+  }
+  return "unknown";
+}
+
+/// What comes before the advance passes where cloths scatter or have vertices of very many springs.
+/// Of the pass "springs", `count` is springs and the rest is per spring.
+void add_spring_passes(const WorldShape& world, Plan& plan) {
+  const double scalar = world.precision == Precision::float64 ? 8 : 4;
+  Sums s;
+  for (const KernelKind kind : {KernelKind::scatter_grid, KernelKind::scatter_mesh}) {
+    const Sums of = sum_of(world, kind);
+    s.particles += of.particles;
+    s.springs += of.springs;
+    s.damped_springs += of.damped_springs;
+    s.entries += of.entries;
+    s.edges += of.edges;
+  }
+  const std::string suffix =
+      std::string(world.precision == Precision::float64 ? "_float64" : "_float32") + " " +
+      name_of(world.accumulation);
+  if (s.edges > 0) {
+    const bool damped = s.damped_springs > 0;
+    const double springs = std::max(1.0, static_cast<double>(s.springs) / 2);
+    // Ends, constants and the force; positions of the ends come from cache, sums to a cache.
+    const double filled = static_cast<double>(s.edges) / springs;
+    double bytes = (8 + 2 * scalar) * filled, flops = spring_flops;
+    bytes += uses_atomics(world.accumulation) ? 6 * (scalar > 4 ? 8 : 4) : 3 * scalar * filled;
+    if (uses_atomics(world.accumulation)) flops += 6;
+    if (damped) flops += spring_damping_flops;
+    if (damped && world.accumulation == Accumulation::native) bytes += 3 * scalar * filled;
+    plan.passes.push_back({"springs", "substep",
+                           "edge_forces" + suffix + (damped ? " +spring_damping" : ""),
+                           s.springs / 2, bytes, flops});
+  }
+  if (world.hub_chunks() > 0) {
+    uint64_t entries = uint64_t(world.hub_chunks()) * hub_chunk;
+    plan.passes.push_back(
+        {"hubs", "substep", "hub_chunks" + suffix.substr(0, 8), entries, 4 + scalar, spring_flops});
+  }
+  if (s.edges > 0 && sums_apart(world.accumulation)) {
+    const auto n = static_cast<double>(std::max<uint64_t>(1, s.particles));
+    plan.passes.push_back({"sums", "substep", "sum_forces" + suffix, s.particles,
+                           (4 + 3 * scalar) * static_cast<double>(s.entries) / n + 3 * scalar,
+                           4 * sum_flops * static_cast<double>(s.springs) / n});
+  }
+}
+
 Pass advance_pass(const WorldShape& world, KernelKind kind) {
   const Sums s = sum_of(world, kind);
   const double scalar = world.precision == Precision::float64 ? 8 : 4;
@@ -53,12 +127,24 @@ Pass advance_pass(const WorldShape& world, KernelKind kind) {
   double bytes = (world.position_form ? 9 : 12) * scalar + scalar;  // x, d, x', d'; inverse mass
   if (is_grid(kind)) {
     bytes += 5.0 / block_size;  // block tables; presence bits at the border only
-  } else {
+  } else if (!scatters(kind)) {
     const double entry = 4 + scalar + (kind == KernelKind::mesh_per_spring ? scalar : 0);
     bytes += entry * static_cast<double>(s.entries) / n;
   }
-  double flops = integrate_flops + spring_flops * static_cast<double>(s.springs) / n;
-  flops += spring_damping_flops * static_cast<double>(s.damped_springs) / n;
+  double flops = integrate_flops;
+  if (scatters(kind)) {
+    // Native: a force of each spring of the particle. Otherwise its sum, which atomics leave full.
+    const bool native = world.accumulation == Accumulation::native;
+    if (native) {
+      bytes += (4 + 3 * scalar) * static_cast<double>(s.entries) / n;
+      flops += sum_flops * static_cast<double>(s.springs + s.damped_springs) / n;
+    } else {
+      bytes += sum_bytes(world.accumulation, scalar);
+    }
+  } else {
+    flops += spring_flops * static_cast<double>(s.springs) / n;
+    flops += spring_damping_flops * static_cast<double>(s.damped_springs) / n;
+  }
   flops += drag_flops * static_cast<double>(s.dragged) / n;
   flops += 3 * static_cast<double>(s.forced) / n + pin_flops * static_cast<double>(s.pinned) / n;
   for (int k = 0; k < collider_shapes; ++k) flops += shapes[k].flops * world.colliders[k];
@@ -127,6 +213,10 @@ const char* kernel_name(KernelKind kind) {
       return "grid_quad4";
     case KernelKind::tri6:
       return "grid_tri6";
+    case KernelKind::scatter_grid:
+      return "scatter_grid";
+    case KernelKind::scatter_mesh:
+      return "scatter_mesh";
     case KernelKind::mesh_uniform:
       return "mesh_uniform";
     case KernelKind::mesh_per_spring:
@@ -137,6 +227,7 @@ const char* kernel_name(KernelKind kind) {
 
 Plan compile_plan(const WorldShape& world) {
   Plan plan;
+  add_spring_passes(world, plan);
   int first = 0;
   for (const ClothShape& c : world.cloths) {
     const int blocks = static_cast<int>(c.blocks());

@@ -13,8 +13,10 @@ struct ClothShape {
   KernelKind kind;
   uint32_t particles;
   uint64_t directed_springs;
-  int64_t row_entries;  ///< sliced rows, padding included; 0 for grids
-  int guard;            ///< elements that the stencil reads before and behind
+  int64_t row_entries;  ///< sliced rows and hubs, padding included; 0 for grids that gather
+  uint64_t edges;       ///< padding included; 0: it gathers
+  uint32_t hubs, hub_chunks;
+  int guard;  ///< elements that the stencil reads before and behind
   bool constant_forces;
   bool drag;
   bool spring_damping;
@@ -34,11 +36,13 @@ struct MeshArrays {
 struct WorldShape {
   Precision precision = Precision::float32;
   bool position_form = false;
+  Accumulation accumulation = Accumulation::native;  ///< of the cloths that scatter
+  double full_scale = 1;                             ///< of fixed8, in largest spring forces
   std::vector<ClothShape> cloths;
   uint32_t colliders[collider_shapes] = {};  ///< by ColliderShape
   uint32_t turning_colliders = 0;
   std::vector<MeshArrays> meshes;  ///< each that a collider uses, once
-  bool interpolate = false;  ///< positions before a frame are kept
+  bool interpolate = false;        ///< positions before a frame are kept
   bool wind = false;
   bool normals = false;   ///< of meshes: grids need nothing for theirs
   uint32_t motions = 0;   ///< of all cloths, and one for "none" when any pin moves
@@ -47,6 +51,10 @@ struct WorldShape {
   uint32_t colliders_of(ColliderShape shape) const { return colliders[static_cast<int>(shape)]; }
   bool any_grid() const;
   bool any_rows() const;
+  bool any_mesh() const;  ///< a mesh or network, whether it gathers or scatters
+  bool any_scatter() const;
+  uint32_t hubs() const;
+  uint32_t hub_chunks() const;
   bool any_per_spring() const;
   bool any_spring_damping() const;
   bool reads_velocities() const;  ///< of neighbours: displacements need two buffers
@@ -58,6 +66,9 @@ struct WorldShape {
   uint64_t blocks() const;
 };
 
-constexpr bool is_grid(KernelKind kind) { return kind <= KernelKind::tri6; }
+constexpr bool is_grid(KernelKind kind) { return kind <= KernelKind::scatter_grid; }
+constexpr bool scatters(KernelKind kind) {
+  return kind == KernelKind::scatter_grid || kind == KernelKind::scatter_mesh;
+}
 
 }  // namespace weft::plan

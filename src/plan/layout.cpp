@@ -50,6 +50,56 @@ size_t collider_bytes(int shape) {
   return 0;
 }
 
+/// The springs of the cloths that scatter, and where their forces go.
+void lay_out_edges(const WorldShape& world, size_t scalar, Cutter& cut, EdgeLayout& l) {
+  size_t edges = 0, entries = 0, blocks = 0;
+  bool damped = false;
+  for (const ClothShape& c : world.cloths) {
+    if (!scatters(c.kind)) continue;
+    edges += static_cast<size_t>(c.edges);
+    entries += static_cast<size_t>(c.row_entries);
+    blocks += c.blocks();
+    damped |= c.spring_damping;
+  }
+  if (blocks == 0) return;
+  const Accumulation mode = world.accumulation;
+  l.cloth = cut.take(edges / block_size, sizeof(int32_t));
+  l.a = cut.take(edges, sizeof(int32_t));
+  l.b = cut.take(edges, sizeof(int32_t));
+  l.rest = cut.take(edges, scalar);
+  l.stiffness = cut.take(edges, scalar);
+  if (!uses_atomics(mode)) {
+    l.force = cut.take_vectors(edges, 0);
+    if (damped && mode == Accumulation::native) l.damping = cut.take_vectors(edges, 0);
+    l.start = cut.take(blocks + 1, sizeof(int64_t));
+    l.incident = cut.take(entries, sizeof(int32_t));
+  }
+  if (mode == Accumulation::fixed64) {
+    l.fixed = cut.take(3 * blocks * block_size, sizeof(unsigned long long));
+    l.overflow = cut.take(1, sizeof(unsigned long long));
+  } else if (mode != Accumulation::native) {
+    l.total = cut.take_vectors(blocks * block_size, 0);
+  }
+  if (mode == Accumulation::fixed8) l.largest = cut.take(1, sizeof(unsigned long long));
+}
+
+/// Vertices of very many springs; atomics do not need to know them.
+void lay_out_hubs(const WorldShape& world, size_t scalar, Cutter& cut, HubLayout& l) {
+  size_t hubs = 0, chunks = 0;
+  bool damped = false;
+  for (const ClothShape& c : world.cloths) {
+    hubs += c.hubs;
+    chunks += c.hub_chunks;
+    damped |= c.hubs > 0 && c.spring_damping;
+  }
+  if (hubs == 0) return;
+  l.of_block = cut.take(world.blocks(), sizeof(int32_t));
+  l.hub = cut.take(hubs, sizeof(Hub));
+  l.chunk = cut.take(chunks, sizeof(HubChunk));
+  l.force = cut.take(chunks, 3 * scalar);
+  if (damped) l.damping = cut.take(chunks, 3 * scalar);
+}
+
 /// Colliders, who is near them, and who sleeps.
 template <class T>
 void lay_out_activity(const WorldShape& world, Cutter& cut, Layout& l) {
@@ -87,7 +137,24 @@ bool WorldShape::any_grid() const {
   return std::any_of(cloths.begin(), cloths.end(), [](auto& c) { return is_grid(c.kind); });
 }
 bool WorldShape::any_rows() const {
+  return std::any_of(cloths.begin(), cloths.end(),
+                     [](auto& c) { return !is_grid(c.kind) && !scatters(c.kind); });
+}
+bool WorldShape::any_mesh() const {
   return std::any_of(cloths.begin(), cloths.end(), [](auto& c) { return !is_grid(c.kind); });
+}
+bool WorldShape::any_scatter() const {
+  return std::any_of(cloths.begin(), cloths.end(), [](auto& c) { return scatters(c.kind); });
+}
+uint32_t WorldShape::hubs() const {
+  uint32_t sum = 0;
+  for (const ClothShape& c : cloths) sum += c.hubs;
+  return sum;
+}
+uint32_t WorldShape::hub_chunks() const {
+  uint32_t sum = 0;
+  for (const ClothShape& c : cloths) sum += c.hub_chunks;
+  return sum;
 }
 bool WorldShape::any_per_spring() const {
   return std::any_of(cloths.begin(), cloths.end(),
@@ -135,11 +202,14 @@ Layout lay_out(const WorldShape& world, int particle_step) {
   Cutter cut(scalar, static_cast<size_t>(particle_step));
   const size_t blocks = world.blocks();
   const size_t particles = blocks * block_size;
-  size_t guard = 0, row_blocks = 0, entries = 0, own_stiffness = 0, forced = 0;
+  size_t guard = 0, row_blocks = 0, mesh_blocks = 0, entries = 0, own_stiffness = 0, forced = 0;
   for (const ClothShape& c : world.cloths) {
     guard = std::max(guard, static_cast<size_t>(c.guard));
-    if (!is_grid(c.kind)) row_blocks += c.blocks();
-    entries += static_cast<size_t>(c.row_entries);
+    if (!is_grid(c.kind)) mesh_blocks += c.blocks();
+    if (!is_grid(c.kind) && !scatters(c.kind)) {
+      row_blocks += c.blocks();
+      entries += static_cast<size_t>(c.row_entries);
+    }
     if (c.kind == KernelKind::mesh_per_spring) own_stiffness = 1;
     if (c.constant_forces) forced += c.blocks();
   }
@@ -168,11 +238,13 @@ Layout lay_out(const WorldShape& world, int particle_step) {
     l.rest = cut.take(entries, scalar);
     if (own_stiffness > 0) l.stiffness = cut.take(entries, scalar);
   }
+  lay_out_edges(world, scalar, cut, l.edges);
+  lay_out_hubs(world, scalar, cut, l.hubs);
   if (forced > 0) l.force = cut.take_vectors(forced * block_size, 0);
   if (world.any_triangle_rows()) {
     size_t triangles = 0;
     for (const ClothShape& c : world.cloths) triangles += static_cast<size_t>(c.triangle_entries);
-    l.triangle_start = cut.take(row_blocks + 1, sizeof(int64_t));
+    l.triangle_start = cut.take(mesh_blocks + 1, sizeof(int64_t));
     l.triangle_next = cut.take(triangles, sizeof(int32_t));
     l.triangle_last = cut.take(triangles, sizeof(int32_t));
   }

@@ -17,6 +17,16 @@ struct VectorArray {
   size_t pitch = 0;        ///< scalars from x to y to z
 };
 
+struct EdgeLayout {
+  size_t cloth = absent, a = absent, b = absent, rest = absent, stiffness = absent;
+  VectorArray force, damping, total;
+  size_t start = absent, incident = absent;
+  size_t fixed = absent, overflow = absent, largest = absent;
+};
+struct HubLayout {
+  size_t of_block = absent, hub = absent, chunk = absent, force = absent, damping = absent;
+};
+
 struct Layout {
   VectorArray x[3], d[2];
   VectorArray before;  ///< positions before the last frame
@@ -24,6 +34,8 @@ struct Layout {
   size_t block_cloth = absent, block_inner = absent, block_pins = absent;
   size_t cloths = absent;
   size_t slice_start = absent, neighbour = absent, rest = absent, stiffness = absent;
+  EdgeLayout edges;
+  HubLayout hubs;
   VectorArray force;
   size_t triangle_start = absent, triangle_next = absent, triangle_last = absent;
   size_t colliders[collider_shapes] = {absent, absent, absent, absent, absent, absent};

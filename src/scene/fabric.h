@@ -31,6 +31,14 @@ struct SpringRows {
   Array<double> rest;         ///< per entry, negative: initial; empty: the fabric's for all
 };
 
+/// A vertex whose springs do not fit into a slice (state/springs.h): `count` entries from `first`
+/// on, filled up to whole blocks.
+struct HubRow {
+  uint32_t storage;
+  int64_t first;
+  uint32_t count;
+};
+
 struct CookedDiagnostic {
   Severity severity;
   uint32_t element;
@@ -46,6 +54,7 @@ struct CookedFabric {
         caller_of(memory),
         storage_of(memory),
         slice_start(memory),
+        hubs(memory),
         particle_of(memory),
         storage_of_render(memory) {}
 
@@ -66,6 +75,8 @@ struct CookedFabric {
   Array<uint32_t> caller_of;   ///< by storage index
   Array<uint32_t> storage_of;  ///< by caller index
   Array<int64_t> slice_start;  ///< per slice of 32 and one more: first entry of the sliced rows
+  Array<HubRow> hubs;          ///< ascending storage index; their entries lie behind the slices
+  int64_t row_entries = 0;     ///< of slices and hubs, padding included
 
   // Of welded meshes, by vertex as it was given; else empty.
   Array<uint32_t> particle_of;

@@ -68,32 +68,50 @@ static void breadth_first(const CookedFabric& fabric, Array<uint32_t>& order) {
   }
 }
 
-void order_rows(CookedFabric& fabric) {
-  constexpr size_t window = 1024;
-  const SpringRows& rows = fabric.rows;
-  Array<uint32_t>& order = fabric.caller_of;
-  breadth_first(fabric, order);
-  const auto valence = [&](uint32_t v) { return rows.start[size_t(v) + 1] - rows.start[v]; };
-  for (size_t first = 0; first < order.size(); first += window) {
-    const size_t end = std::min(first + window, order.size());
-    std::stable_sort(order.begin() + static_cast<std::ptrdiff_t>(first),
-                     order.begin() + static_cast<std::ptrdiff_t>(end),
-                     [&](uint32_t a, uint32_t b) { return valence(a) > valence(b); });
-  }
-  fabric.storage_of.resize(fabric.vertices);
-  for (uint32_t s = 0; s < fabric.vertices; ++s) fabric.storage_of[order[s]] = s;
+/// Width that a row takes of its slice.
+static uint64_t sliced_width(const SpringRows& rows, uint32_t v) {
+  const uint64_t valence = rows.start[size_t(v) + 1] - rows.start[v];
+  return valence > hub_valence ? 0 : valence;
+}
 
+static void slice(CookedFabric& fabric) {
+  const SpringRows& rows = fabric.rows;
+  const Array<uint32_t>& order = fabric.caller_of;
   const uint32_t slices = (fabric.vertices + block_size - 1) / block_size;
   fabric.slice_start.assign(size_t(slices) + 1, 0);
   for (uint32_t slice = 0; slice < slices; ++slice) {
     uint64_t width = 0;
     const uint32_t end = std::min(fabric.vertices, (slice + 1) * uint32_t(block_size));
     for (uint32_t s = slice * uint32_t(block_size); s < end; ++s) {
-      width = std::max(width, valence(order[s]));
+      width = std::max(width, sliced_width(rows, order[s]));
     }
     fabric.slice_start[size_t(slice) + 1] =
         fabric.slice_start[slice] + static_cast<int64_t>(width) * block_size;
   }
+  fabric.row_entries = fabric.slice_start.back();
+  for (uint32_t s = 0; s < fabric.vertices; ++s) {
+    const uint64_t valence = rows.start[size_t(order[s]) + 1] - rows.start[order[s]];
+    if (valence <= hub_valence) continue;
+    fabric.hubs.push_back({s, fabric.row_entries, static_cast<uint32_t>(valence)});
+    fabric.row_entries +=
+        static_cast<int64_t>((valence + block_size - 1) / block_size * block_size);
+  }
+}
+
+void order_rows(CookedFabric& fabric) {
+  constexpr size_t window = 1024;
+  Array<uint32_t>& order = fabric.caller_of;
+  breadth_first(fabric, order);
+  for (size_t first = 0; first < order.size(); first += window) {
+    const size_t end = std::min(first + window, order.size());
+    std::stable_sort(order.begin() + static_cast<std::ptrdiff_t>(first),
+                     order.begin() + static_cast<std::ptrdiff_t>(end), [&](uint32_t a, uint32_t b) {
+                       return sliced_width(fabric.rows, a) > sliced_width(fabric.rows, b);
+                     });
+  }
+  fabric.storage_of.resize(fabric.vertices);
+  for (uint32_t s = 0; s < fabric.vertices; ++s) fabric.storage_of[order[s]] = s;
+  slice(fabric);
 }
 
 }  // namespace weft::scene

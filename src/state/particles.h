@@ -19,15 +19,17 @@ struct ParticleBuffers {
 /// Everything that is equal for all particles of a cloth.
 template <class T>
 struct ClothParams {
-  int first;                  ///< element of its first particle
-  int columns;                ///< grids: elements from row to row
-  T stiffness[12], rest[12];  ///< grids: by stencil neighbour; others: [0] when uniform
-  T drag;                     ///< N s/m
-  T spring_damping;           ///< N s/m
-  int drag_model;             ///< state/step.h, Drag
-  int starting;               ///< 1: the start pass is its first
-  int force_offset;           ///< element of the first force minus `first`; no_forces: none
-  int in_wind;                ///< it has triangles and there is wind
+  int first;                   ///< element of its first particle
+  int columns;                 ///< grids: elements from row to row
+  T stiffness[12], rest[12];   ///< grids: by stencil neighbour; others: [0] when uniform
+  T drag;                      ///< N s/m
+  T spring_damping;            ///< N s/m
+  int drag_model;              ///< state/step.h, Drag
+  int starting;                ///< 1: the start pass is its first
+  int force_offset;            ///< element of the first force minus `first`; no_forces: none
+  int in_wind;                 ///< it has triangles and there is wind
+  T fixed_scale, fixed_limit;  ///< fixed64: units of 1 N; most units of one spring
+  T half_scale;                ///< float16: what forces are multiplied by, a power of two
   int axial[4];  ///< grids: presence bits of the neighbours +column, +row, -column, -row
   int collider_first[collider_shapes], collider_count[collider_shapes];
 };

@@ -3,6 +3,7 @@
 
 #include "state/activity.h"
 #include "state/colliders.h"
+#include "state/edges.h"
 #include "state/particles.h"
 #include "state/pins.h"
 #include "state/springs.h"
@@ -12,14 +13,24 @@
 namespace weft {
 
 /// Which compiled kernel advances a range of blocks: rows of step/variants.h.
-enum class KernelKind : int32_t { seed12, classic12, quad4, tri6, mesh_uniform, mesh_per_spring };
+/// Grids come first, then what scatters, then meshes and networks.
+enum class KernelKind : int32_t {
+  seed12,
+  classic12,
+  quad4,
+  tri6,
+  scatter_grid,
+  scatter_mesh,
+  mesh_uniform,
+  mesh_per_spring
+};
 
 /// A range of blocks that one launch advances.
 struct BlockRange {
   KernelKind kind;
   int first, count;
 };
-constexpr int most_block_ranges = 6;
+constexpr int most_block_ranges = 8;
 
 template <class T>
 struct Simulation {
@@ -30,6 +41,8 @@ struct Simulation {
   const T* inverse_mass;     ///< 0: pinned, or padding
   Vec3Array<T> force;        ///< constant forces of the cloths that have any
   SlicedRows<T> rows;
+  Hubs<T> hubs;
+  Edges<T> edges;
   TriangleRows triangles;
   Colliders<T> colliders;
   const ClothActivity<T>* activity;  ///< null: no colliders, and nobody sleeps

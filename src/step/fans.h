@@ -17,10 +17,10 @@ MeshFan<T> fan_of(const Simulation<T>& sim, const MeshFan<T>*) {
 /// Calls `launch` with the triangles around the particles of a kind of cloth.
 template <class T, class Launch>
 void with_fan(KernelKind kind, const Simulation<T>& sim, Launch launch) {
-  if (kind == KernelKind::mesh_uniform || kind == KernelKind::mesh_per_spring) {
-    return launch(MeshFan<T>{sim.triangles});
+  if (kind <= KernelKind::scatter_grid) {
+    return launch(GridFan<T>{sim.presence, sim.block.inner});
   }
-  return launch(GridFan<T>{sim.presence, sim.block.inner});
+  return launch(MeshFan<T>{sim.triangles});
 }
 
 }  // namespace WEFT_BACKEND_NS

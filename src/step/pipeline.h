@@ -2,13 +2,15 @@
 //
 //   frame:    reach?, substep, substep, ..., survey       one parallel region, one enqueue
 //   reach:    which colliders each block can touch        where a cloth has many near it
-//   substep:  advance = forces | wind? | integration | colliders? | pins?    one pass over all;
+//   substep:  springs?, hubs?, sums?             where a cloth scatters or has very many springs
+//             advance = forces | wind? | integration | colliders? | pins?    one pass over all;
 //             on a GPU colliders? | pins? are a second one
 //             swap:     what was written becomes what is read
 //   survey:   where the cloths are, how fast, whether any particle is lost
 #pragma once
 
 #include "kernels/collide_pass.h"
+#include "kernels/edge_forces.h"
 #include "kernels/normals.h"
 #include "kernels/reach.h"
 #include "kernels/survey.h"
@@ -81,10 +83,35 @@ void advance_ranges(const Team& team, const Simulation<T>& sim, const ParticleBu
   }
 }
 
+/// What the forces of some particles need first: springs that are evaluated once and scattered, and
+/// the sums of vertices with very many springs.
+template <class T, class Team>
+void springs_before(const Team& team, const Simulation<T>& sim, const ParticleBuffers<T>& p,
+                    const StepParams<T>& step) {
+  const Edges<T>& edges = sim.edges;
+  if (edges.blocks > 0) {
+    if (edges.accumulation == Accumulation::fixed8) {
+      team.for_each_block(1, ForgetLargest<T>{edges.largest});
+      team.meet();
+    }
+    team.for_each_block(edges.blocks, EdgeForces<T>{sim, p, step});
+    team.meet();
+  }
+  if (sim.hubs.chunks > 0) {
+    team.for_each_block(sim.hubs.chunks, HubChunks<T>{sim, p, step});
+    team.meet();
+  }
+  if (edges.blocks > 0 && sums_apart(edges.accumulation)) {
+    team.for_each_block(edges.particle_blocks, SumForces<T>{sim});
+    team.meet();
+  }
+}
+
 /// All springs, particles, colliders and pins of every cloth.
 template <class T, class Team>
 void advance(const Team& team, const Simulation<T>& sim, const ParticleBuffers<T>& p,
              const StepParams<T>& step) {
+  springs_before(team, sim, p, step);
   if constexpr (Team::fuses) {
     advance_ranges<one_pass>(team, sim, p, step);
   } else {
@@ -109,6 +136,11 @@ void advance(const Team& team, const Simulation<T>& sim, const ParticleBuffers<T
     }
   }
   team.meet();
+  const bool moved = step.update == Update::summed || step.update == Update::position;
+  if (moved && sim.edges.blocks > 0 && sim.edges.accumulation == Accumulation::float24_all) {
+    team.for_each_block(sim.edges.particle_blocks, RoundState<T>{sim.edges, p});
+    team.meet();
+  }
 }
 
 template <class T, class Team>

@@ -7,7 +7,7 @@
 namespace weft {
 namespace WEFT_BACKEND_NS {
 
-/// Calls `launch` with the springs that a kind of cloth gathers over.
+/// Calls `launch` with the springs of a kind of cloth.
 template <class T, class Launch>
 void with_springs(KernelKind kind, const Simulation<T>& sim, Launch launch) {
   switch (kind) {
@@ -19,10 +19,14 @@ void with_springs(KernelKind kind, const Simulation<T>& sim, Launch launch) {
       return launch(GridSprings<T, Quad4>{sim.presence, sim.block.inner});
     case KernelKind::tri6:
       return launch(GridSprings<T, Tri6>{sim.presence, sim.block.inner});
+    case KernelKind::scatter_grid:
+      return launch(ScatterSprings<T, GridFan<T>>{sim.edges, sim.hubs});
+    case KernelKind::scatter_mesh:
+      return launch(ScatterSprings<T, MeshFan<T>>{sim.edges, sim.hubs});
     case KernelKind::mesh_uniform:
-      return launch(MeshSprings<T, false>{sim.rows});
+      return launch(MeshSprings<T, false>{sim.rows, sim.hubs});
     case KernelKind::mesh_per_spring:
-      return launch(MeshSprings<T, true>{sim.rows});
+      return launch(MeshSprings<T, true>{sim.rows, sim.hubs});
   }
 }
 

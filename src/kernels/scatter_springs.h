@@ -1,0 +1,110 @@
+// Spring forces of a cloth whose springs have been evaluated once each (kernels/edge_forces.h).
+#pragma once
+
+#include "kernels/hubs.h"
+
+namespace weft {
+namespace WEFT_BACKEND_NS {
+
+/// The sums of the particles of a block, in the modes whose sums do not fit into the pass that
+/// integrates: Georgii and Westermann 2005, section 4.2, third pass.
+template <class T>
+struct SumForces {
+  Simulation<T> sim;
+
+  template <int N>
+  WEFT_HD void operator()(int index, int lane0, Lanes<N> lanes) const {
+    const Edges<T>& edges = sim.edges;
+    const int block = edges.first_block + index;
+    const int i0 = block * block_size + lane0;
+    const int of_cloth = sim.block.cloth[block];
+    if (sim.activity != nullptr && sim.activity[of_cloth].asleep) return;
+    with_sum(edges, sim.cloths[of_cloth], [&](const auto& s) {
+      LaneVec3<T, N> total;
+      lanes.each([&](int l) WEFT_LANE { total.set(l, {T(0), T(0), T(0)}); });
+      sum_incident(edges, edges.force, s, block, i0, lanes, total);
+      if (sim.hubs.of_block != nullptr) {
+        add_hubs(sim.hubs, sim.hubs.force, s, block, i0, lanes, total);
+      }
+      const int t0 = index * block_size + lane0;
+      lanes.each([&](int l) WEFT_LANE { store(edges.total, t0 + l, result_of(s, total.get(l))); });
+    });
+  }
+};
+
+/// After a substep in float24_all: what is stored has no more digits either.
+template <class T>
+struct RoundState {
+  Edges<T> edges;
+  ParticleBuffers<T> p;
+
+  template <int N>
+  WEFT_HD void operator()(int index, int lane0, Lanes<N> lanes) const {
+    const int i0 = (edges.first_block + index) * block_size + lane0;
+    lanes.each([&](int l) WEFT_LANE {
+      store(p.x_out, i0 + l, from_float24(to_float24(load(p.x_out, i0 + l))));
+      store(p.d_out, i0 + l, from_float24(to_float24(load(p.d_out, i0 + l))));
+    });
+  }
+};
+
+/// Native: forces are summed where they are needed, to the bits of the gather. Otherwise the sums
+/// are there already; what atomics have filled is emptied for the next substep.
+template <class T, class FanOfCloth>
+struct ScatterSprings {
+  using Fan = FanOfCloth;
+  Edges<T> edges;
+  Hubs<T> hubs;
+
+  /// Nothing moves any more once a force has left the range of the integers.
+  WEFT_HD bool stopped() const {
+    return edges.overflow != nullptr && *edges.overflow != no_overflow;
+  }
+
+  template <int N>
+  WEFT_HD void gather(const ClothParams<T>& cloth, const ParticleBuffers<T>& /*p*/, int block,
+                      int i0, Lanes<N> lanes, LaneVec3<T, N>& force) const {
+    if (edges.accumulation != Accumulation::native) return take(cloth, i0, lanes, force);
+    lanes.each([&](int l) WEFT_LANE { force.set(l, {T(0), T(0), T(0)}); });
+    sum_incident(edges, edges.force, NativeSum<T>{}, block, i0, lanes, force);
+    if (hubs.of_block != nullptr) {
+      add_hubs(hubs, hubs.force, NativeSum<T>{}, block, i0, lanes, force);
+    }
+  }
+
+  template <bool Position, int N>
+  WEFT_HD void damp(const ClothParams<T>& /*cloth*/, const ParticleBuffers<T>& /*p*/, T /*per_dt*/,
+                    int block, int i0, Lanes<N> lanes, LaneVec3<T, N>& force) const {
+    if (edges.damping.data == nullptr) return;
+    sum_incident(edges, edges.damping, NativeSum<T>{}, block, i0, lanes, force);
+    if (hubs.of_block != nullptr) {
+      add_hubs(hubs, hubs.damping, NativeSum<T>{}, block, i0, lanes, force);
+    }
+  }
+
+ private:
+  template <int N>
+  WEFT_HD_COLD void take(const ClothParams<T>& cloth, int i0, Lanes<N> lanes,
+                         LaneVec3<T, N>& force) const {
+    const int t0 = i0 - edges.first_block * block_size;
+    if (edges.accumulation == Accumulation::fixed64) {
+      const T newtons = T(1) / cloth.fixed_scale;
+      unsigned long long* sum = edges.fixed + 3 * int64_t(t0);
+      lanes.each_alone([&](int l) {
+        const Vec3<T> units{T(static_cast<long long>(sum[3 * l])),
+                            T(static_cast<long long>(sum[3 * l + 1])),
+                            T(static_cast<long long>(sum[3 * l + 2]))};
+        force.set(l, newtons * units);
+        sum[3 * l] = sum[3 * l + 1] = sum[3 * l + 2] = 0;
+      });
+      return;
+    }
+    lanes.each([&](int l) WEFT_LANE { force.set(l, load(edges.total, t0 + l)); });
+    if (edges.accumulation == Accumulation::atomic) {
+      lanes.each([&](int l) WEFT_LANE { store(edges.total, t0 + l, Vec3<T>{T(0), T(0), T(0)}); });
+    }
+  }
+};
+
+}  // namespace WEFT_BACKEND_NS
+}  // namespace weft

@@ -5,6 +5,17 @@
 namespace weft::tools {
 
 /// Sleep is a number of the report, not an event of its format.
+/// What was chosen: "gather", "scatter", or "mixed" where cloths differ.
+static std::string evaluation_of(World& world) {
+  const auto plan = world.plan();
+  if (!plan || (*plan).evaluations.count == 0) return "gather";
+  const Evaluation first = (*plan).evaluations[0].chosen;
+  for (uint32_t i = 1; i < (*plan).evaluations.count; ++i) {
+    if ((*plan).evaluations[i].chosen != first) return "mixed";
+  }
+  return to_string(first);
+}
+
 static bool is_reported(EventType type) {
   return type != EventType::slept && type != EventType::woke;
 }
@@ -35,6 +46,7 @@ void collect_figures(const io::Scene& scene, io::Simulation& made, io::Report& r
   report.precision = to_string(scene.solver.precision);
   const Stats stats = made.world.stats();
   report.threads = stats.steps > 0 ? stats.threads : info.threads;
+  report.evaluation = evaluation_of(made.world);
   report.particles = stats.particles;
   report.springs = stats.springs;
   report.frames = stats.frames;

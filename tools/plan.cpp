@@ -29,6 +29,13 @@ void print_table(const PlanInfo& plan) {
                   pass.bytes_per_particle, pass.flops_per_particle);
     text += line;
   }
+  for (uint32_t i = 0; i < plan.evaluations.count; ++i) {
+    const EvaluationInfo& e = plan.evaluations[i];
+    std::snprintf(line, sizeof line,
+                  "cloth %u: %s (model, ns per substep on one thread: gather %.0f, scatter %.0f)\n",
+                  i, to_string(e.chosen), e.gather_ns, e.scatter_ns);
+    text += line;
+  }
   print(text + "memory " + bytes_text(double(plan.bytes_total)) + "\n");
 }
 
@@ -54,6 +61,14 @@ int plan_command(const CommonOptions& options) {
                               {"count", pass.count},
                               {"bytes_per_particle", pass.bytes_per_particle},
                               {"flops_per_particle", pass.flops_per_particle}});
+  }
+  json["evaluations"] = nlohmann::ordered_json::array();
+  for (uint32_t i = 0; i < plan.evaluations.count; ++i) {
+    const EvaluationInfo& e = plan.evaluations[i];
+    json["evaluations"].push_back({{"cloth", i},
+                                   {"chosen", to_string(e.chosen)},
+                                   {"gather_ns", e.gather_ns},
+                                   {"scatter_ns", e.scatter_ns}});
   }
   json["bytes_total"] = plan.bytes_total;
   print_json(json);

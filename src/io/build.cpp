@@ -53,6 +53,9 @@ WorldDesc world_desc(const Scene& scene) {
   desc.substeps = scene.time.substeps;
   desc.safety = scene.solver.safety;
   desc.unsafe = scene.solver.unsafe;
+  desc.evaluation = scene.solver.evaluation;
+  desc.accumulate = scene.solver.accumulate;
+  desc.deterministic = scene.solver.deterministic;
   return desc;
 }
 

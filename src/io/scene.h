@@ -20,8 +20,6 @@ struct TimeSettings {
 };
 
 enum class Integrator : uint8_t { verlet, rk4, implicit_euler, implicit_midpoint, xpbd };
-enum class Evaluation : uint8_t { automatic, gather, scatter };
-enum class Accumulate : uint8_t { native, atomic, fixed64, float16, float24, float24_all, fixed8 };
 enum class EnergyGuard : uint8_t { automatic, on, off };
 
 struct SolverSettings {

@@ -34,9 +34,6 @@ void refuse_solver(const SolverSettings& solver) {
   if (solver.integrator != Integrator::verlet) {
     refuse("$.solver.integrator", name_of(solver.integrator), "give \"verlet\"");
   }
-  if (solver.evaluation == Evaluation::scatter) {
-    refuse("$.solver.evaluation", "\"scatter\"", "give \"gather\" or \"auto\"");
-  }
   if (solver.energy_guard == EnergyGuard::on) {
     refuse("$.solver.energy_guard", "true", "give false or \"auto\"");
   }

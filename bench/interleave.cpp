@@ -44,6 +44,10 @@ void Interleaved::append_times(const std::string& metric, const std::string& uni
   }
 }
 
+double Interleaved::median(size_t candidate) const {
+  return row_of("", "", "", "", ns_[candidate]).median;
+}
+
 void Interleaved::append_ratio(const std::string& name, size_t slow, size_t fast,
                                std::vector<Row>& rows) const {
   std::vector<double> ratios;

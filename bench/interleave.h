@@ -26,6 +26,8 @@ class Interleaved {
 
   /// ns per unit of every candidate.
   void append_times(const std::string& metric, const std::string& unit, std::vector<Row>&) const;
+  /// Median of the ns per unit of one of them.
+  double median(size_t candidate) const;
   /// Time per unit of `slow` over that of `fast`, paired by round.
   void append_ratio(const std::string& name, size_t slow, size_t fast, std::vector<Row>&) const;
   /// How much more time per unit `more` takes than `base`, paired by round.

@@ -1,9 +1,9 @@
 #include "bench/mesh.h"
 
-#include <filesystem>
 #include <memory>
 
 #include "bench/interleave.h"
+#include "bench/mesh_files.h"
 #include "bench/sheets.h"
 #include "io/mesh.h"
 
@@ -14,19 +14,6 @@ namespace {
 Candidate candidate_of(const std::string& name, SteppedWorld made) {
   auto world = std::make_shared<SteppedWorld>(std::move(made));
   return {name, world->spring_steps(), [world] { world->advance(); }};
-}
-
-/// Meshes that nobody here made, where they are installed.
-std::vector<std::pair<std::string, std::string>> mesh_files() {
-  std::vector<std::pair<std::string, std::string>> found;
-  for (const auto& [name, file] :
-       {std::pair{"spot", WEFT_SHARED_DATA "/spot.obj"},
-        std::pair{"bunny", WEFT_SHARED_DATA "/stanford-bunny.obj"},
-        std::pair{"teapot", WEFT_SHARED_DATA "/teapot.obj"},
-        std::pair{"wuson", "/usr/share/assimp/models/OBJ/WusonOBJ.obj"}}) {
-    if (std::filesystem::exists(file)) found.emplace_back(name, file);
-  }
-  return found;
 }
 
 }  // namespace

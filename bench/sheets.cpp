@@ -28,6 +28,10 @@ SteppedWorld::SteppedWorld(Context context, Fabric fabric, const Options& option
   WorldDesc desc;
   desc.precision = options.precision;
   desc.substeps = static_cast<uint32_t>(substeps_);
+  desc.evaluation = options.evaluation;
+  desc.accumulate = options.accumulate;
+  desc.deterministic = options.accumulate != Accumulate::atomic;
+  desc.profile = options.profile;
   world_ = take(context_.create_world(desc), "world");
   ClothDesc cloth;
   cloth.fabric = fabric;
@@ -49,6 +53,15 @@ SteppedWorld SteppedWorld::sheet(uint32_t n, Stencil stencil, const Options& opt
   desc.stencil = stencil;
   desc.material.stiffness = options.stiffness;
   Fabric fabric = take(context.cook(desc), "grid");
+  return {std::move(context), fabric, options};
+}
+
+SteppedWorld SteppedWorld::particles(uint32_t count, const Options& options) {
+  Context context = make_context(options);
+  const std::vector<double3> positions(count, double3{0, 0, 0});
+  NetworkDesc desc;
+  desc.positions = View<double3>(positions);
+  Fabric fabric = take(context.cook(desc), "particles");
   return {std::move(context), fabric, options};
 }
 

@@ -20,12 +20,17 @@ class SteppedWorld {
     uint32_t threads = 1;
     uint32_t cloths = 1;  ///< alike, in one world
     double stiffness = 100;
+    Evaluation evaluation = Evaluation::gather;
+    Accumulate accumulate = Accumulate::native;
+    bool profile = false;
     int substeps = steps_per_call;
     std::function<void(ClothDesc&)> dress;  ///< changes the cloth before it is made
     std::function<void(Context&, World&, ClothId)> furnish;  ///< adds what else there is
   };
   /// A free sheet of n x n vertices on the unit square with 1 kg, at 0.9 of its stable bound.
   static SteppedWorld sheet(uint32_t n, Stencil, const Options&);
+  /// Free particles without springs: what integration takes by itself.
+  static SteppedWorld particles(uint32_t count, const Options&);
   /// The same from triangles.
   static SteppedWorld mesh(const std::vector<double3>& positions,
                            const std::vector<uint32_t>& triangles, const Options&);

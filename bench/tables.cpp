@@ -1,7 +1,9 @@
 #include "bench/bench.h"
 
+#include "bench/accumulate.h"
 #include "bench/api.h"
 #include "bench/effects.h"
+#include "bench/forces.h"
 #include "bench/gpu.h"
 #include "bench/grid.h"
 #include "bench/mesh.h"
@@ -25,6 +27,10 @@ const std::vector<Table>& tables() {
       {"gpu", "a frame of 16 substeps on the GPU: sizes, precisions, many cloths, effects",
        run_gpu},
       {"mesh", "gather over meshes per directed spring, against the grid's", run_mesh},
+      {"forces", "gather against scatter: memory, parts of a step, meshes, layouts and sums",
+       run_forces},
+      {"accumulate", "what the precision of the sum of forces does to forces and to equilibrium",
+       run_accumulate},
   };
   return all;
 }

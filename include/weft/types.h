@@ -161,7 +161,7 @@ typedef struct weft_world_desc {
   uint32_t max_steps_per_advance;
   bool interpolate;
   uint8_t evaluation, accumulate;
-  bool deterministic;
+  bool deterministic, profile;
   double fixed8_range;
 } weft_world_desc;
 typedef struct weft_pin_motion {

@@ -39,6 +39,7 @@ struct WorldDesc {
   Evaluation evaluation = Evaluation::automatic;
   Accumulate accumulate = Accumulate::native;  ///< others need Evaluation::scatter
   bool deterministic = true;                   ///< Accumulate::atomic needs false
+  bool profile = false;     ///< Stats::phases tell where a step spends its time, on the host
   double fixed8_range = 1;  ///< full scale of Accumulate::fixed8 in largest spring forces, > 0
 };
 
@@ -197,7 +198,9 @@ struct Event {
   const char* text;  ///< valid until the next step
 };
 
-/// Wall time of one phase since the world was made.
+/// Wall time of one phase since the world was made. With WorldDesc::profile those of "advance"
+/// follow: "advance.reach", ".springs", ".hubs", ".sums", ".particles" and ".survey"
+/// (step/pipeline.h).
 struct PhaseTime {
   const char* name;
   double seconds;

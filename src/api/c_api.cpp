@@ -58,6 +58,7 @@ weft_world_desc weft_default_world(void) {
           static_cast<uint8_t>(d.evaluation),
           static_cast<uint8_t>(d.accumulate),
           d.deterministic,
+          d.profile,
           d.fixed8_range};
 }
 weft_pose weft_default_pose(void) { return api::to_c(Pose{}); }

@@ -77,6 +77,7 @@ WorldDesc from_c(const weft_world_desc& d) {
   out.evaluation = choice<Evaluation>(d.evaluation);
   out.accumulate = choice<Accumulate>(d.accumulate);
   out.deterministic = d.deterministic;
+  out.profile = d.profile;
   out.fixed8_range = d.fixed8_range;
   return out;
 }

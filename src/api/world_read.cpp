@@ -297,7 +297,8 @@ Stats World::stats() const noexcept {
   s.step_seconds = impl_->step_seconds;
   s.time_dropped = impl_->time_dropped;
   s.threads = impl_->threads_last;
-  s.phases = {impl_->phases, api::phase_count};
+  const int phases = impl_->desc.profile ? api::phases_with_laps : api::phase_count;
+  s.phases = {impl_->phases, static_cast<size_t>(phases)};
   s.bytes_state = impl_->built ? impl_->arena->bytes() : 0;
   s.bytes_total = impl_->context->memory.held();
   return s;

@@ -39,6 +39,8 @@ struct Flight {
 };
 
 enum Phase { phase_prepare, phase_inputs_and_advance, phase_check, phase_count };
+/// Of the parts of a frame, with the phases before them.
+constexpr int phases_with_laps = phase_count + lap_count;
 
 }  // namespace api
 
@@ -128,7 +130,11 @@ struct __attribute__((visibility("hidden"))) World::Impl {
   uint32_t substeps_most = 0, substeps_last = 0, threads_last = 1;
   double dt_least = 0, step_seconds = 0;
   double time_owed = 0, time_dropped = 0;  ///< s, of advance()
-  PhaseTime phases[api::phase_count] = {{"prepare", 0}, {"advance", 0}, {"check", 0}};
+  PhaseTime phases[api::phases_with_laps] = {
+      {"prepare", 0},       {"advance", 0},           {"check", 0},
+      {"advance.reach", 0}, {"advance.springs", 0},   {"advance.hubs", 0},
+      {"advance.sums", 0},  {"advance.particles", 0}, {"advance.survey", 0}};
+  StageClock clock;
 
   std::vector<api::EventRecord> event_records;
   std::vector<Event> events;

@@ -271,9 +271,11 @@ void World::Impl::fly() noexcept {
   const Stopwatch watch(flight.seconds);
   const double sub_dt = flight.dt / flight.substeps;
   const double before = dt_before > 0 ? dt_before : sub_dt;
+  Workers workers = context->workers();
+  if (desc.profile) workers.clock = &clock;
   try {
-    flight.outcome = arena->frame(
-        *built, {static_cast<int>(flight.substeps), sub_dt, before, time, context->workers()});
+    flight.outcome =
+        arena->frame(*built, {static_cast<int>(flight.substeps), sub_dt, before, time, workers});
   } catch (const std::bad_alloc&) {
     flight.outcome = Status::out_of_memory;
   }
@@ -288,6 +290,9 @@ void World::Impl::tell_who_sleeps(api::ClothRecord& cloth) {
 
 Status World::Impl::land() {
   phases[api::phase_inputs_and_advance].seconds += flight.seconds;
+  for (int lap = 0; lap < lap_count; ++lap) {
+    phases[api::phase_count + lap].seconds = clock.seconds[lap];
+  }
   const double dt = flight.dt, sub_dt = dt / flight.substeps;
   if (flight.outcome == Status::out_of_memory) throw std::bad_alloc();
   if (flight.outcome != Status::ok) {

@@ -148,9 +148,7 @@ struct EdgeForces {
   WEFT_HD_COLD void find_largest(Lanes<N> lanes, const LaneVec3<T, N>& force) const {
     T most[N];
     lanes.each([&](int l) WEFT_LANE {
-      const Vec3<T> f = force.get(l);
-      const T x = f.x < T(0) ? -f.x : f.x, y = f.y < T(0) ? -f.y : f.y, z = f.z < T(0) ? -f.z : f.z;
-      most[l] = larger(larger(x, y), z);
+      most[l] = square_root(dot(force.get(l), force.get(l)));
     });
     double largest = 0;
     for (int l = 0; l < N; ++l) largest = larger(largest, double(most[l]));

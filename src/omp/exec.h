@@ -5,6 +5,7 @@
 
 #include <omp.h>
 #include <sched.h>
+#include <time.h>
 
 #include "base/atomic.h"
 #include "base/lanes.h"
@@ -48,9 +49,9 @@ class Team {
  public:
   static constexpr bool fuses = WEFT_FUSE_PASSES;
 
-  Team(int thread, int threads, Barrier* barrier)
-      : thread_(thread), threads_(threads), barrier_(barrier) {}
-  explicit Team(const Jobs& jobs) : jobs_(&jobs) {}
+  Team(int thread, int threads, Barrier* barrier, StageClock* clock)
+      : thread_(thread), threads_(threads), barrier_(barrier), clock_(clock) {}
+  Team(const Jobs& jobs, StageClock* clock) : clock_(clock), jobs_(&jobs) {}
 
   template <class Kernel>
   void for_each_block(int count, const Kernel& kernel) const {
@@ -62,6 +63,16 @@ class Team {
   }
   void meet() const {
     if (threads_ > 1) barrier_->wait(threads_);
+  }
+  /// After a meeting: what has passed since the last lap belongs to this part of the frame.
+  void lap(Lap of) const {
+    if (clock_ == nullptr || !leads()) return;
+    const double now = seconds_now();
+    clock_->seconds[static_cast<int>(of)] += now - clock_->last;
+    clock_->last = now;
+  }
+  void start_clock() const {
+    if (clock_ != nullptr && leads()) clock_->last = seconds_now();
   }
   /// One thread of the team, for what must be done once.
   bool leads() const { return thread_ == 0; }
@@ -81,23 +92,32 @@ class Team {
                         const_cast<Kernel*>(&kernel), "weft");
   }
 
+  static double seconds_now() {
+    timespec now{};
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+  }
+
   int thread_ = 0, threads_ = 1;
   Barrier* barrier_ = nullptr;
+  StageClock* clock_ = nullptr;
   const Jobs* jobs_ = nullptr;
 };
 
 class Exec {
  public:
   Exec(int blocks, Workers workers)
-      : threads_(useful_threads(blocks, workers.threads)), jobs_(workers.jobs) {}
+      : threads_(useful_threads(blocks, workers.threads)),
+        jobs_(workers.jobs),
+        clock_(workers.clock) {}
 
   template <class Body>
   void frame(const Body& body) const {
-    if (jobs_ != nullptr) return body(Team(*jobs_));
-    if (threads_ <= 1) return body(Team(0, 1, nullptr));
+    if (jobs_ != nullptr) return body(Team(*jobs_, clock_));
+    if (threads_ <= 1) return body(Team(0, 1, nullptr, clock_));
     Barrier barrier;
 #pragma omp parallel num_threads(threads_)
-    body(Team(omp_get_thread_num(), omp_get_num_threads(), &barrier));
+    body(Team(omp_get_thread_num(), omp_get_num_threads(), &barrier, clock_));
   }
 
  private:
@@ -109,6 +129,7 @@ class Exec {
 
   int threads_;
   const Jobs* jobs_;
+  StageClock* clock_;
 };
 
 }  // namespace WEFT_BACKEND_NS

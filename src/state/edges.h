@@ -46,7 +46,7 @@ struct Edges {
   Vec3Array<T> total;            ///< by particle from first_block on; null in native
   unsigned long long* fixed;     ///< the same as x, y, z by turns in fixed64, two's complement
   unsigned long long* overflow;  ///< fixed64: substep << 32 | spring of the first, or no_overflow
-  unsigned long long* largest;   ///< fixed8: bits of the largest component of a force, as double
+  unsigned long long* largest;   ///< fixed8: bits of the largest force of a spring, as double
   double full_scale;             ///< fixed8: in largest spring forces
 };
 

@@ -8,6 +8,9 @@
 //                                        the kernel is a trivially copyable functor; returns before
 //                                        the other threads are done
 //   team.meet()                          everything before is visible to everything after
+//   team.lap(Lap)                        after a meeting: the time since the last lap was for this
+//                                        part of the frame (step/stage_clock.h); begins with
+//                                        team.start_clock()
 //   Team::fuses                          a substep is one pass (step/variants.h), since what it has
 //                                        just written is still in a cache
 //

@@ -96,14 +96,17 @@ void springs_before(const Team& team, const Simulation<T>& sim, const ParticleBu
     }
     team.for_each_block(edges.blocks, EdgeForces<T>{sim, p, step});
     team.meet();
+    team.lap(Lap::springs);
   }
   if (sim.hubs.chunks > 0) {
     team.for_each_block(sim.hubs.chunks, HubChunks<T>{sim, p, step});
     team.meet();
+    team.lap(Lap::hubs);
   }
   if (edges.blocks > 0 && sums_apart(edges.accumulation)) {
     team.for_each_block(edges.particle_blocks, SumForces<T>{sim});
     team.meet();
+    team.lap(Lap::sums);
   }
 }
 
@@ -141,6 +144,7 @@ void advance(const Team& team, const Simulation<T>& sim, const ParticleBuffers<T
     team.for_each_block(sim.edges.particle_blocks, RoundState<T>{sim.edges, p});
     team.meet();
   }
+  team.lap(Lap::advance);
 }
 
 template <class T, class Team>
@@ -159,15 +163,18 @@ template <class T, class Exec>
 void run_frame(Exec& exec, Frame<T>& frame) {
   exec.frame([&frame](const auto& team) {
     Simulation<T> sim = frame.sim;
+    team.start_clock();
     if (frame.by_block) {
       team.for_each_block(sim.blocks, ReachOfBlocks<T>{sim, sim.x[0]});
       team.meet();
+      team.lap(Lap::reach);
     }
     for (int s = 0; s < frame.substeps; ++s) {
       advance(team, sim, buffers(sim, frame.position_form), step_params(frame, s));
       swap_buffers(sim, frame.position_form);
     }
     survey(team, sim, frame.position_form);
+    team.lap(Lap::survey);
   });
   for (int s = 0; s < frame.substeps % 6; ++s) swap_buffers(frame.sim, frame.position_form);
 }

@@ -1,13 +1,15 @@
 // Who does the work of a verb.
 #pragma once
 
+#include "step/stage_clock.h"
 #include "weft/core.hpp"
 
 namespace weft {
 
 struct Workers {
-  int threads;                 ///< most that the host back end may use
-  const Jobs* jobs = nullptr;  ///< the caller's; null: the back end's own
+  int threads;                  ///< most that the host back end may use
+  const Jobs* jobs = nullptr;   ///< the caller's; null: the back end's own
+  StageClock* clock = nullptr;  ///< null: nobody asks how long the parts of a frame take
 
   constexpr Workers(int threads_at_most, const Jobs* of_caller = nullptr)
       : threads(threads_at_most), jobs(of_caller) {}

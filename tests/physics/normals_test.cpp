@@ -29,7 +29,7 @@ std::vector<Vec> read(TestWorld& test, weft::ClothId cloth, size_t count) {
 
 /// Positions that float32 holds exactly.
 Triangles rounded(Triangles mesh) {
-  for (Vec& x : mesh.vertices) x = {double(float(x.x)), double(float(x.y)), double(float(x.z))};
+  for (Vec& x : mesh.vertices) x = reference::through_float(x);
   return mesh;
 }
 Triangles folded_sheet() {
@@ -130,7 +130,7 @@ TEST_P(Normals, OfAGridAreThoseOfItsTriangles) {
     reference::SplitMix random(11);
     for (Vec& p : x) {
       p += random.noise(0.2 / columns);
-      p = {double(float(p.x)), double(float(p.y)), double(float(p.z))};
+      p = reference::through_float(p);
     }
     const std::vector<weft::double3> start = to_weft(x);
     weft::ClothDesc desc;

@@ -91,7 +91,7 @@ struct Crumpled {
     reference::SplitMix random(seed);
     for (Vec& x : mesh.vertices) {
       x += random.noise(0.02);
-      x = {double(float(x.x)), double(float(x.y)), double(float(x.z))};
+      x = reference::through_float(x);
       velocities.push_back(random.noise(2));
     }
   }

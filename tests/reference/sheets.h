@@ -39,7 +39,7 @@ struct Sheet {
     reference::SplitMix random(seed);
     for (Vec& p : x) {
       if (noise > 0) p += random.noise(noise);
-      if (single) p = {double(float(p.x)), double(float(p.y)), double(float(p.z))};
+      if (single) p = reference::through_float(p);
     }
     return x;
   }

@@ -111,6 +111,22 @@ void table_2(const std::string& name, SteppedWorld& world, double integration_ms
   rows.push_back(row_of(name, "total", "ms", springs + rest));
 }
 
+/// A root and a division, and nothing else: what a directed spring takes at least.
+Candidate floor_candidate(const char* isa) {
+  auto data = std::make_shared<std::vector<float>>(64 * 64, 1.5f);
+  constexpr int passes = 96;
+  return {"floor: a root and a division", double(data->size()) * passes,
+          [data, isa] { roots_and_divisions(isa, data->data(), data->size(), passes); }};
+}
+
+/// The floor over the time of a directed spring without its share of the integration.
+double floor_share(const Interleaved& runs, size_t floor, size_t gather, size_t integration,
+                   uint32_t n) {
+  const double springs = 2.0 * (2.0 * n * (n - 1) + double(n - 1) * (n - 1));
+  const double share = runs.median(integration) * double(n) * n / springs;
+  return runs.median(floor) / (runs.median(gather) - share);
+}
+
 void regular_sizes(bool quick, std::ostream& progress, std::vector<Row>& rows) {
   std::vector<uint32_t> sizes{128, 256, 512};
   if (!quick) sizes.insert(sizes.end(), {1024, 2048});
@@ -128,6 +144,7 @@ void regular_sizes(bool quick, std::ostream& progress, std::vector<Row>& rows) {
     runs.add(candidate(name + " mesh, scatter native", pair.scatter));
     const size_t alone =
         runs.add({"integration", free->particle_steps(), [free] { free->advance(); }});
+    const size_t floor = runs.add(floor_candidate(grid->isa()));
     double before[2][2];
     const std::shared_ptr<SteppedWorld> worlds[] = {pair.gather, pair.scatter};
     for (int w = 0; w < 2; ++w) {
@@ -138,8 +155,12 @@ void regular_sizes(bool quick, std::ostream& progress, std::vector<Row>& rows) {
     runs.run(rounds, progress);
     std::vector<Row> times;
     runs.append_times(metric, "ns", times);
-    times.pop_back();
+    times.resize(3);
     rows.insert(rows.end(), times.begin(), times.end());
+    rows.push_back(row_of(name + ", floor / force calculation, grid gather", "ratio", "1",
+                          floor_share(runs, floor, 0, alone, n)));
+    rows.push_back(row_of(name + ", floor / force calculation, mesh gather", "ratio", "1",
+                          floor_share(runs, floor, 1, alone, n)));
     const double integration = 1e-6 * runs.median(alone) * double(n) * n;
     const double edges = worlds[0]->spring_steps() / o.substeps / 2;
     for (int w = 0; w < 2; ++w) {
@@ -232,11 +253,7 @@ void layouts_and_sums(bool quick, std::ostream& progress, std::vector<Row>& rows
                        std::make_shared<SteppedWorld>(
                            SteppedWorld::mesh(regular.positions, regular.triangles, of))));
   }
-  auto data = std::make_shared<std::vector<float>>(64 * 64, 1.5f);
-  constexpr int passes = 96;
-  const size_t floor =
-      runs.add({"floor: a root and a division", double(data->size()) * passes,
-                [data, isa] { roots_and_divisions(isa, data->data(), data->size(), passes); }});
+  const size_t floor = runs.add(floor_candidate(isa));
   runs.run(quick ? 5 : 21, progress);
   runs.append_times(metric, "ns", rows);
   runs.append_ratio("floor / 256x256 tri6, grid gather", floor, of_grid, rows);

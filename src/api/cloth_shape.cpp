@@ -42,12 +42,13 @@ plan::ClothShape shape_of(const ClothRecord& cloth) {
   if (cloth.scatters) {
     shape.edges = scene::padded_edges(fabric.springs);
     shape.row_entries = scene::incident_entries(fabric);
-  } else if (fabric.is_grid) {
+  } else if (!fabric.is_grid) {
+    shape.row_entries = fabric.row_entries;
+  }
+  if (fabric.is_grid) {
     const int reach = scene::stencil_reach(fabric.grid.stencil);
     const int columns = fabric.grid.rows > 1 ? static_cast<int>(fabric.grid.columns) : 0;
     shape.guard = reach * columns + reach;
-  } else {
-    shape.row_entries = fabric.row_entries;
   }
   shape.hubs = static_cast<uint32_t>(fabric.hubs.size());
   for (const scene::HubRow& hub : fabric.hubs) {

@@ -50,9 +50,9 @@ struct RoundState {
 
 /// Native: forces are summed where they are needed, to the bits of the gather. Otherwise the sums
 /// are there already; what atomics have filled is emptied for the next substep.
-template <class T, class FanOfCloth>
+template <class T, template <class> class FanOfCloth>
 struct ScatterSprings {
-  using Fan = FanOfCloth;
+  using Fan = FanOfCloth<T>;
   Edges<T> edges;
   Hubs<T> hubs;
 

@@ -5,7 +5,6 @@
 
 #include <omp.h>
 #include <sched.h>
-#include <time.h>
 
 #include "base/atomic.h"
 #include "base/lanes.h"
@@ -67,12 +66,12 @@ class Team {
   /// After a meeting: what has passed since the last lap belongs to this part of the frame.
   void lap(Lap of) const {
     if (clock_ == nullptr || !leads()) return;
-    const double now = seconds_now();
+    const double now = omp_get_wtime();
     clock_->seconds[static_cast<int>(of)] += now - clock_->last;
     clock_->last = now;
   }
   void start_clock() const {
-    if (clock_ != nullptr && leads()) clock_->last = seconds_now();
+    if (clock_ != nullptr && leads()) clock_->last = omp_get_wtime();
   }
   /// One thread of the team, for what must be done once.
   bool leads() const { return thread_ == 0; }
@@ -90,12 +89,6 @@ class Team {
     jobs_->parallel_for(jobs_->user, static_cast<uint32_t>(count),
                         static_cast<uint32_t>(share > 8 ? share : 8), run,
                         const_cast<Kernel*>(&kernel), "weft");
-  }
-
-  static double seconds_now() {
-    timespec now{};
-    clock_gettime(CLOCK_MONOTONIC, &now);
-    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
   }
 
   int thread_ = 0, threads_ = 1;

@@ -7,13 +7,13 @@ namespace weft::plan {
 EvaluationPrices coefficients_of(const char* isa, Precision precision) {
   const bool wide = precision == Precision::float64;
   if (std::strcmp(isa, "v4") == 0) {
-    return wide ? EvaluationPrices{1.3, 2.7, 2.6, 1.3} : EvaluationPrices{0.5, 1.4, 1.9, 1.0};
+    return wide ? EvaluationPrices{1.3, 1.65, 3.1, 1.15} : EvaluationPrices{0.4, 1.4, 2.7, 1.5};
   }
   if (std::strcmp(isa, "v3") == 0) {
-    return wide ? EvaluationPrices{1.5, 2.9, 2.8, 1.3} : EvaluationPrices{0.7, 1.7, 2.0, 1.0};
+    return wide ? EvaluationPrices{1.8, 2.1, 4.3, 1.6} : EvaluationPrices{0.55, 1.35, 2.9, 1.2};
   }
   if (std::strcmp(isa, "v2") == 0) {
-    return wide ? EvaluationPrices{2.5, 3.5, 3.5, 1.4} : EvaluationPrices{1.4, 2.0, 2.5, 1.1};
+    return wide ? EvaluationPrices{2.2, 2.35, 3.3, 1.4} : EvaluationPrices{1.0, 1.8, 2.7, 1.1};
   }
   // A GPU: bytes that go through memory at 2 TB/s.
   const double scalar = wide ? 8 : 4, ns_per_byte = 1 / 2000.0;

@@ -20,9 +20,9 @@ void with_springs(KernelKind kind, const Simulation<T>& sim, Launch launch) {
     case KernelKind::tri6:
       return launch(GridSprings<T, Tri6>{sim.presence, sim.block.inner});
     case KernelKind::scatter_grid:
-      return launch(ScatterSprings<T, GridFan<T>>{sim.edges, sim.hubs});
+      return launch(ScatterSprings<T, GridFan>{sim.edges, sim.hubs});
     case KernelKind::scatter_mesh:
-      return launch(ScatterSprings<T, MeshFan<T>>{sim.edges, sim.hubs});
+      return launch(ScatterSprings<T, MeshFan>{sim.edges, sim.hubs});
     case KernelKind::mesh_uniform:
       return launch(MeshSprings<T, false>{sim.rows, sim.hubs});
     case KernelKind::mesh_per_spring:

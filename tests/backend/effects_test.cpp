@@ -121,6 +121,8 @@ struct Effect {
   const char* name;
   std::function<void(Stage&)> make;
   std::function<void(Stage&, int frame)> before_step;
+  Evaluation evaluation = Evaluation::gather;
+  Accumulate accumulate = Accumulate::native;
 };
 
 void no_change(Stage&, int) {}
@@ -148,6 +150,29 @@ ClothDesc sleepy() {
   cloth.sleep_speed = 0.2;
   cloth.sleep_time = 0.05;
   return cloth;
+}
+/// A vertex with more springs than fit into a slice, and into a chunk.
+void add_hub(Stage& s, ClothDesc cloth) {
+  reference::SplitMix random(8);
+  std::vector<double3> positions{{0.5, 0.5, 0.5}};
+  std::vector<Spring> springs;
+  for (uint32_t i = 1; i < 1500; ++i) {
+    const reference::Vec p = random.noise(0.5) + reference::Vec{0.5, 0.6, 0.5};
+    positions.push_back({p.x, p.y, p.z});
+    springs.push_back({0, i, 0.5, -1});
+    if (i > 200) springs.push_back({7, i, 0.5 + 0.1 * (i % 3), -1});
+  }
+  NetworkDesc network;
+  network.positions = View<double3>(positions);
+  network.springs = springs;
+  cloth.fabric = *s.context.cook(network);
+  s.cloths.push_back(*s.world.create_cloth(cloth));
+}
+/// Every kind of cloth, with all that adds to its forces.
+void add_forced(Stage& s) {
+  add_all(s, damped());
+  add_hub(s, damped());
+  EXPECT_EQ(s.world.set_wind({{3, 8, -2}, 1.2, 1, 0.3}), Status::ok);
 }
 void nudge_pins(Stage& s, int frame) {
   const uint32_t vertices[] = {3, 46};
@@ -220,6 +245,18 @@ const std::vector<Effect>& effects() {
          EXPECT_TRUE(*s.world.asleep(s.cloths[0]));
          EXPECT_EQ(s.world.wake(s.cloths[0]), Status::ok);
        }},
+      {"Hubs", add_forced, no_change},
+      {"Scatter", add_forced, no_change, Evaluation::scatter},
+      {"ScatterSleep",
+       [](Stage& s) {
+         add_all(s, sleepy()), add_colliders(s, {0, 0, 0});
+       },
+       no_change, Evaluation::scatter},
+      {"ScatterFixed64", add_forced, no_change, Evaluation::scatter, Accumulate::fixed64},
+      {"ScatterFloat16", add_forced, no_change, Evaluation::scatter, Accumulate::float16},
+      {"ScatterFloat24", add_forced, no_change, Evaluation::scatter, Accumulate::float24},
+      {"ScatterFloat24All", add_forced, no_change, Evaluation::scatter, Accumulate::float24_all},
+      {"ScatterFixed8", add_forced, no_change, Evaluation::scatter, Accumulate::fixed8},
   };
   return all;
 }
@@ -241,6 +278,9 @@ Outcome outcome(const Effect& effect, const Backend& backend, Precision precisio
   WorldDesc desc;
   desc.precision = precision;
   desc.form = form;
+  desc.evaluation = effect.evaluation;
+  desc.accumulate = effect.accumulate;
+  desc.deterministic = effect.accumulate != Accumulate::atomic;
   World world = std::move(*context.create_world(desc));
   Stage stage{context, world, {}, {}};
   effect.make(stage);
@@ -281,6 +321,42 @@ TEST_P(Effects, HaveTheSameBitsOnEveryBackend) {
         }
       }
     }
+  }
+}
+
+const Effect& effect_named(const std::string& name) {
+  for (const Effect& effect : effects()) {
+    if (name == effect.name) return effect;
+  }
+  throw std::runtime_error(name);
+}
+
+TEST(Evaluations, NativeScatterHasTheBitsOfTheGatherOnEveryBackend) {
+  for (const Precision precision : {Precision::float32, Precision::float64}) {
+    for (const Form form : {Form::summed, Form::position}) {
+      const Outcome gather =
+          outcome(effect_named("Hubs"), *backends()[0].backend, precision, form, 1);
+      for (const NamedBackend& other : backends()) {
+        EXPECT_TRUE(outcome(effect_named("Scatter"), *other.backend, precision, form, 2) == gather)
+            << other.name << " " << to_string(precision);
+      }
+    }
+  }
+}
+
+TEST(Evaluations, AtomicSumsRunOnEveryBackend) {
+  Effect effect = effect_named("Scatter");
+  effect.accumulate = Accumulate::atomic;
+  for (const NamedBackend& other : backends()) {
+    const Outcome out = outcome(effect, *other.backend, Precision::float64, Form::summed, 2);
+    const Outcome native =
+        outcome(effect_named("Scatter"), *other.backend, Precision::float64, Form::summed, 2);
+    ASSERT_EQ(out.vectors.size(), native.vectors.size());
+    double furthest = 0;  // velocities: the second third of what was read
+    for (size_t i = out.vectors.size() / 3; i < 2 * out.vectors.size() / 3; ++i) {
+      furthest = std::max(furthest, std::abs(out.vectors[i].y - native.vectors[i].y));
+    }
+    EXPECT_LE(furthest, 1e-6) << other.name;
   }
 }
 

@@ -25,14 +25,14 @@ inline constexpr GoldenHash golden_hashes[] = {
     {Scene::mesh, {weft::Precision::float32, weft::Form::position}, 0xb0227c0a4755a07a},
     {Scene::mesh, {weft::Precision::float64, weft::Form::summed}, 0xa3ca5d95223b7826},
     {Scene::mesh, {weft::Precision::float64, weft::Form::position}, 0x6b3bada37b66560a},
-    {Scene::network, {weft::Precision::float32, weft::Form::summed}, 0x865745348a2e8bae},
-    {Scene::network, {weft::Precision::float32, weft::Form::position}, 0x7629df46c81b358c},
-    {Scene::network, {weft::Precision::float64, weft::Form::summed}, 0x74ccc47a7709dba0},
-    {Scene::network, {weft::Precision::float64, weft::Form::position}, 0x0f75019de1d6702d},
-    {Scene::mixed, {weft::Precision::float32, weft::Form::summed}, 0x20f531ae4b613bcd},
-    {Scene::mixed, {weft::Precision::float32, weft::Form::position}, 0x210c3a37432289a5},
-    {Scene::mixed, {weft::Precision::float64, weft::Form::summed}, 0x8dd0447aeeec9101},
-    {Scene::mixed, {weft::Precision::float64, weft::Form::position}, 0x006f22fd7cdd1b97},
+    {Scene::network, {weft::Precision::float32, weft::Form::summed}, 0xc5d515cfcbad635c},
+    {Scene::network, {weft::Precision::float32, weft::Form::position}, 0x94814fb2441dc203},
+    {Scene::network, {weft::Precision::float64, weft::Form::summed}, 0x656efe5cb4754e92},
+    {Scene::network, {weft::Precision::float64, weft::Form::position}, 0x943fe38352e7d8b7},
+    {Scene::mixed, {weft::Precision::float32, weft::Form::summed}, 0x015c932c7e26f808},
+    {Scene::mixed, {weft::Precision::float32, weft::Form::position}, 0xd2aa357e9c8b27df},
+    {Scene::mixed, {weft::Precision::float64, weft::Form::summed}, 0x6e96493dc4b6241c},
+    {Scene::mixed, {weft::Precision::float64, weft::Form::position}, 0xc51b8c334419c607},
 };
 
 }  // namespace weft_tests

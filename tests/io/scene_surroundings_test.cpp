@@ -106,9 +106,6 @@ TEST(SceneSurroundings, WhatIsNotAvailableIsNamed) {
        {"solver", R"({"integrator": "implicit_euler"})", "not available in this version"},
        {"solver", R"({"integrator": "implicit_midpoint"})", "not available in this version"},
        {"solver", R"({"integrator": "xpbd"})", "not available in this version"},
-       {"solver", R"({"evaluation": "scatter"})",
-        "$.solver.evaluation: \"scatter\" is not available"},
-       {"solver", R"({"evaluation": "scatter", "accumulate": "fixed64"})", "not available in this"},
        {"solver", R"({"energy_guard": true})", "$.solver.energy_guard: true is not available"},
        {"self_collision", "{}",
         "$.self_collision: self-collision is not available in this version"}});

@@ -18,7 +18,7 @@ inline double dot(Vec a, Vec b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 inline double length(Vec a) { return std::sqrt(dot(a, a)); }
 inline bool finite(Vec a) { return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z); }
 
-/// As float holds it. Through memory: g++ 12 drops the round trip of two neighbouring numbers at -O2.
+/// As float holds it. Through memory: g++ 12 drops the round trip of two neighbouring numbers.
 inline double through_float(double v) {
   const volatile float narrow = float(v);
   return double(narrow);

@@ -91,5 +91,55 @@ TEST(Plan, KindsOfClothAreSeparateRanges) {
   EXPECT_EQ(plan.ranges[1].count, 2);
 }
 
+ClothShape scattering(uint32_t particles) {
+  ClothShape c{};
+  c.kind = KernelKind::scatter_mesh;
+  c.particles = particles;
+  c.directed_springs = 6ull * particles;
+  c.edges = 3ull * particles + 32;
+  c.row_entries = 6ll * particles;
+  return c;
+}
+
+TEST(Plan, AScatterIsAPassOverSpringsAndOneOverParticles) {
+  WorldShape world;
+  world.cloths = {scattering(1024)};
+  const Plan plan = compile_plan(world);
+  ASSERT_EQ(plan.passes.size(), 3u);
+  EXPECT_STREQ(plan.passes[0].stage, "springs");
+  EXPECT_EQ(plan.passes[0].kernel, "edge_forces_float32 native");
+  EXPECT_EQ(plan.passes[0].count, 3072u);
+  EXPECT_EQ(plan.passes[1].kernel, "scatter_mesh_float32");
+  EXPECT_EQ(plan.passes[1].count, 1024u);
+}
+
+TEST(Plan, SumsOfLowPrecisionAreAPassOfTheirOwnAndAtomicsAreNone) {
+  WorldShape world;
+  world.cloths = {scattering(1024)};
+  for (const Accumulation a : {Accumulation::float16, Accumulation::float24,
+                               Accumulation::float24_all, Accumulation::fixed8}) {
+    world.accumulation = a;
+    const Plan plan = compile_plan(world);
+    ASSERT_EQ(plan.passes.size(), 4u);
+    EXPECT_STREQ(plan.passes[1].stage, "sums");
+  }
+  for (const Accumulation a : {Accumulation::atomic, Accumulation::fixed64}) {
+    world.accumulation = a;
+    EXPECT_EQ(compile_plan(world).passes.size(), 3u);
+  }
+}
+
+TEST(Plan, HubsAreAPassOnlyWhereThereAreSome) {
+  WorldShape world;
+  world.cloths = {grid(1024)};
+  for (const Pass& pass : compile_plan(world).passes) EXPECT_STRNE(pass.stage, "hubs");
+  world.cloths[0].kind = KernelKind::mesh_uniform;
+  world.cloths[0].hubs = 1;
+  world.cloths[0].hub_chunks = 3;
+  const Plan plan = compile_plan(world);
+  EXPECT_STREQ(plan.passes[0].stage, "hubs");
+  EXPECT_EQ(plan.passes[0].count, 3u * 1024u);
+}
+
 }  // namespace
 }  // namespace weft::plan

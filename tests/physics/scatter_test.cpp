@@ -1,0 +1,217 @@
+// Forces of every way to add them up: against an independent sum in double, against every spring
+// once, and the errors that their precision makes (hard cases 2.9).
+#include "reference/each_once.h"
+#include "reference/networks.h"
+#include "reference/sheets.h"
+
+#include <cmath>
+
+namespace weft_tests {
+namespace {
+
+weft::WorldDesc world_of(weft::Accumulate accumulate, weft::Precision precision,
+                         double fixed8_range = 1) {
+  weft::WorldDesc desc = plain_world(precision);
+  desc.evaluation = weft::Evaluation::scatter;
+  desc.accumulate = accumulate;
+  desc.deterministic = accumulate != weft::Accumulate::atomic;
+  desc.fixed8_range = fixed8_range;
+  return desc;
+}
+
+constexpr uint32_t n = 16;
+constexpr double h = 1.0 / (n - 1);
+
+/// The 16 x 16 sheet of hard cases 2.9 around the origin, its positions rounded to float first.
+Sheet noisy_sheet(double noise) {
+  Sheet sheet;
+  sheet.rows = sheet.columns = n;
+  sheet.stiffness = 200;
+  sheet.vertex_mass = 1;  // accelerations are forces
+  sheet.noise = noise;
+  return sheet;
+}
+std::vector<Vec> positions_of(const Sheet& sheet) {
+  std::vector<Vec> x = sheet.start();
+  for (Vec& p : x) p = reference::through_float(p - Vec{0.5, 0.5, 0});
+  return x;
+}
+
+std::vector<Vec> exact_forces(const Sheet& sheet) {
+  std::vector<Vec> force(sheet.count());
+  reference::add_spring_forces(sheet.system().springs, positions_of(sheet), force);
+  return force;
+}
+
+std::vector<Vec> forces_of(const Sheet& sheet, const weft::WorldDesc& desc) {
+  TestWorld test(desc);
+  const std::vector<weft::double3> x = to_weft(positions_of(sheet));
+  weft::ClothDesc cloth;
+  cloth.positions = weft::View<weft::double3>(x);
+  return test.accelerations(test.add(sheet.grid(), cloth));
+}
+
+double relative_rms(const std::vector<Vec>& values, const std::vector<Vec>& expected) {
+  double difference = 0, size = 0;
+  for (size_t i = 0; i < values.size(); ++i) {
+    difference += dot(values[i] - expected[i], values[i] - expected[i]);
+    size += dot(expected[i], expected[i]);
+  }
+  return std::sqrt(difference / size);
+}
+
+double force_error(double noise, weft::Accumulate mode, double fixed8_range = 1) {
+  const Sheet sheet = noisy_sheet(noise);
+  return relative_rms(forces_of(sheet, world_of(mode, weft::Precision::float32, fixed8_range)),
+                      exact_forces(sheet));
+}
+
+/// Each within a factor of 2 of the table's figure.
+void expect_as_published(double measured, double published) {
+  EXPECT_LE(measured, 2 * published);
+  EXPECT_GE(measured, published / 2);
+}
+
+TEST(Accumulation, ErrorsAreThePublishedOnesAtTenPercentNoise) {
+  expect_as_published(force_error(0.1 * h, weft::Accumulate::native), 6.2e-7);
+  expect_as_published(force_error(0.1 * h, weft::Accumulate::float24), 7.1e-6);
+  expect_as_published(force_error(0.1 * h, weft::Accumulate::float24_all), 2.3e-4);
+  expect_as_published(force_error(0.1 * h, weft::Accumulate::float16), 4.7e-4);
+  expect_as_published(force_error(0.1 * h, weft::Accumulate::fixed8, 4), 4.2e-2);
+}
+
+TEST(Accumulation, ErrorsAreThePublishedOnesAtOnePercentNoise) {
+  expect_as_published(force_error(0.01 * h, weft::Accumulate::native), 6.5e-6);
+  expect_as_published(force_error(0.01 * h, weft::Accumulate::float24), 1.0e-5);
+  expect_as_published(force_error(0.01 * h, weft::Accumulate::float24_all), 2.2e-3);
+  expect_as_published(force_error(0.01 * h, weft::Accumulate::float16), 4.8e-4);
+  expect_as_published(force_error(0.01 * h, weft::Accumulate::fixed8, 4), 3.2e-2);
+}
+
+TEST(Accumulation, EightBitsAreUnusableAndSixteenAreNot) {
+  EXPECT_GT(force_error(0.1 * h, weft::Accumulate::fixed8), 0.1);  // sums saturate
+  EXPECT_LT(force_error(0.1 * h, weft::Accumulate::float16), 1e-3);
+  EXPECT_LT(force_error(0.1 * h, weft::Accumulate::native), 1e-5);
+}
+
+TEST(Accumulation, ScaledScenesHaveTheSameErrors) {
+  // Half floats hold 6e-8 to 65504: a power of two takes forces there, whatever their unit.
+  for (const double stiffness : {2e-9, 2e9}) {
+    Sheet sheet = noisy_sheet(0.1 * h);
+    sheet.stiffness = stiffness;
+    const double error = relative_rms(
+        forces_of(sheet, world_of(weft::Accumulate::float16, weft::Precision::float32)),
+        exact_forces(sheet));
+    expect_as_published(error, 4.7e-4);
+  }
+}
+
+/// Largest error of a component in units of the largest force of a spring.
+double error_in_spring_forces(const Sheet& sheet, const std::vector<Vec>& values) {
+  const std::vector<Vec> x = positions_of(sheet), expected = exact_forces(sheet);
+  double largest = 0, error = 0;
+  for (const reference::Spring& s : sheet.system().springs) {
+    largest = std::max(largest, s.stiffness * std::abs(length(x[s.b] - x[s.a]) - s.rest));
+  }
+  for (size_t i = 0; i < values.size(); ++i) {
+    error = std::max(error, length(values[i] - expected[i]));
+  }
+  return error / largest;
+}
+
+TEST(Fixed64, IsExactToAMillionthOfTheLargestSpringForce) {
+  for (const double noise : {0.3 * h, 0.01 * h, 1e-4 * h}) {
+    Sheet sheet = noisy_sheet(noise);
+    EXPECT_LE(error_in_spring_forces(sheet, forces_of(sheet, world_of(weft::Accumulate::fixed64,
+                                                                      weft::Precision::float64))),
+              noise > 1e-3 * h ? 1e-9 : 1e-6)
+        << noise;
+  }
+  // In float the forces themselves are worse than their sum.
+  const Sheet sheet = noisy_sheet(0.1 * h);
+  EXPECT_LE(error_in_spring_forces(sheet, forces_of(sheet, world_of(weft::Accumulate::fixed64,
+                                                                    weft::Precision::float32))),
+            1e-5);
+  EXPECT_LE(
+      relative_rms(forces_of(sheet, world_of(weft::Accumulate::fixed64, weft::Precision::float32)),
+                   forces_of(sheet, world_of(weft::Accumulate::native, weft::Precision::float32))),
+      1e-6);
+}
+
+TEST(Atomic, IsAsExactAsAnyOrderOfAdditions) {
+  const Sheet sheet = noisy_sheet(0.1 * h);
+  EXPECT_LE(
+      relative_rms(forces_of(sheet, world_of(weft::Accumulate::atomic, weft::Precision::float64)),
+                   exact_forces(sheet)),
+      1e-14);
+}
+
+class EachOnce : public BothPrecisions {};
+
+template <class T>
+void expect_bits_of_the_gather(weft::Precision precision) {
+  Sheet sheet = noisy_sheet(0.2 * h);
+  sheet.stencil = weft::Stencil::tri6;
+  sheet.rows = 11;
+  sheet.columns = 19;
+  weft::GridDesc grid = sheet.grid();
+  std::vector<reference::Triple<T>> x;
+  for (Vec p : positions_of(sheet)) x.push_back({T(p.x), T(p.y), T(p.z)});
+  const T across = T(1.0 / (sheet.columns - 1)), down = T(1.0 / (sheet.rows - 1));
+  const T rest[3] = {across, down, std::sqrt(across * across + down * down)};
+  const auto expected = reference::forces_each_once<T>(x, int(sheet.rows), int(sheet.columns),
+                                                       T(grid.material.stiffness.stretch), rest);
+  for (weft::Evaluation evaluation : {weft::Evaluation::gather, weft::Evaluation::scatter}) {
+    weft::WorldDesc desc = plain_world(precision);
+    desc.evaluation = evaluation;
+    const std::vector<Vec> f = forces_of(sheet, desc);
+    for (size_t i = 0; i < f.size(); ++i) {
+      EXPECT_EQ(T(f[i].x), expected[i].x) << i;
+      EXPECT_EQ(T(f[i].y), expected[i].y) << i;
+      EXPECT_EQ(T(f[i].z), expected[i].z) << i;
+    }
+  }
+}
+
+TEST_P(EachOnce, HasTheBitsOfTheGather) {
+  if (GetParam() == weft::Precision::float32) {
+    expect_bits_of_the_gather<float>(GetParam());
+  } else {
+    expect_bits_of_the_gather<double>(GetParam());
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Precision, EachOnce, both_precisions(), precision_name);
+
+/// A hub of D spokes whose forces do not cancel: error of the sum in units of its size.
+double hub_error(uint32_t spokes, weft::Evaluation evaluation) {
+  reference::SplitMix random(9);
+  NetworkParts hub;
+  hub.positions = {{0, 0, 0}};
+  hub.masses = {1};
+  for (uint32_t i = 1; i <= spokes; ++i) {
+    const Vec p{0.1 + random.uniform(), random.uniform(), random.uniform()};
+    hub.positions.push_back(reference::through_float(p));
+    hub.springs.push_back({0, i, 1 + random.uniform(), 0});
+  }
+  for (weft::Spring& s : hub.springs) s.stiffness = reference::through_float(s.stiffness);
+  Vec expected;
+  for (const weft::Spring& s : hub.springs) expected += s.stiffness * hub.positions[s.b];
+  weft::WorldDesc desc = plain_world(weft::Precision::float32);
+  desc.evaluation = evaluation;
+  TestWorld test(desc);
+  const Vec force = test.accelerations(add_network(test, hub))[0];
+  return length(force - expected) / length(expected);
+}
+
+TEST(HubSum, IsNearlyAsExactAsAPairwiseOne) {
+  // Sequential sums are off by 3.9e-6 at 1e5 terms, pairwise ones by 7e-8.
+  for (weft::Evaluation e : {weft::Evaluation::gather, weft::Evaluation::scatter}) {
+    EXPECT_LE(hub_error(100000, e), 1e-6);
+    EXPECT_LE(hub_error(3000, e), 1e-6);
+    EXPECT_LE(hub_error(129, e), 1e-6);
+  }
+}
+
+}  // namespace
+}  // namespace weft_tests

@@ -83,7 +83,8 @@ void bench_256(int rounds, std::ostream& progress, std::vector<Row>& rows) {
   runs.append_ratio("256x256 float64 / floor", wide, wide_floor, rows);
 }
 
-void bench_sizes(int rounds, std::ostream& progress, std::vector<Row>& rows) {
+/// The chapter's figure 22.5, and on to 2048 squared: its loop beside weft.
+void bench_sizes(bool quick, std::ostream& progress, std::vector<Row>& rows) {
   Interleaved runs("grid");
   size_t index_256 = 0, index_2048 = 0;
   for (const uint32_t n : {32u, 64u, 128u, 256u, 512u, 1024u, 2048u}) {
@@ -93,8 +94,13 @@ void bench_sizes(int rounds, std::ostream& progress, std::vector<Row>& rows) {
         runs.add(weft_candidate(size_name(n) + " weft float32, 1 thread, by size", n, options));
     if (n == 256) index_256 = i;
     if (n == 2048) index_2048 = i;
+    if (quick && n > 512) continue;
+    runs.add(chapter_candidate(size_name(n) + " chapter loop, -O3, by size", n,
+                               plain::chapter_step));
+    runs.add(chapter_candidate(size_name(n) + " chapter loop, bit-safe flags, by size", n,
+                               bit_safe::chapter_step));
   }
-  runs.run(rounds, progress);
+  runs.run(quick ? 3 : 9, progress);
   runs.append_times(metric, "ns", rows);
   runs.append_ratio("2048x2048 / 256x256 per particle", index_2048, index_256, rows);
 }
@@ -117,7 +123,7 @@ ChapterSheet make_chapter_sheet(int n, float k, float m, float dt) {
 std::vector<Row> run_grid(bool quick, std::ostream& progress) {
   std::vector<Row> rows;
   bench_256(quick ? 9 : 31, progress, rows);
-  bench_sizes(quick ? 3 : 9, progress, rows);
+  bench_sizes(quick, progress, rows);
   return rows;
 }
 

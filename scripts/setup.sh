@@ -3,7 +3,7 @@
 # usage: scripts/setup.sh [--all | --demo]
 #   --all   also clang with its OpenMP and sanitizer runtimes, hipcc with rocPRIM, pkg-config and
 #          mkdocs, for the other stages of test.sh
-#   --demo  also ffmpeg, for the films of demo.sh
+#   --demo  also ffmpeg, for the films of demo.sh, and gnuplot, for the plots of forces.sh
 # Says what it installs, and does nothing (in a fraction of a second) when nothing is missing.
 set -euo pipefail
 
@@ -58,7 +58,7 @@ if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
   echo "setup: this is not a Debian system (no apt-get). Install by hand: a C++20 compiler," \
        "CMake 3.25, Ninja, git, Python 3, binutils, Valgrind, GoogleTest, Eigen, nlohmann-json," \
        "CLI11, Thrust with CUB, and (optional) the Assimp test models, libepoxy, EGL, libpng," \
-       "ffmpeg" >&2
+       "ffmpeg, gnuplot" >&2
   exit 1
 fi
 
@@ -80,8 +80,9 @@ if [[ "${1:-}" == --all ]]; then
   done
 fi
 
-if [[ "${1:-}" == --demo ]] && ! command -v ffmpeg >/dev/null; then
-  extras+=(ffmpeg)
+if [[ "${1:-}" == --demo ]]; then
+  command -v ffmpeg >/dev/null || extras+=(ffmpeg)
+  command -v gnuplot >/dev/null || extras+=(gnuplot-nox)
 fi
 
 if [[ ${#packages[@]} -eq 0 && ${#extras[@]} -eq 0 ]]; then

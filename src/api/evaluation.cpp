@@ -67,6 +67,9 @@ FixedRange fixed_range(const ClothRecord& cloth) {
   return {share / limit, limit};
 }
 
-double half_scale(const ClothRecord& cloth) { return 2048 / power_of_two_above(cloth.force_scale); }
+double half_scale(const ClothRecord& cloth) {
+  const double most = std::max(16.0, power_of_two_above(cloth.most_springs));
+  return 32768 / most / power_of_two_above(cloth.force_scale);
+}
 
 }  // namespace weft::api

@@ -21,7 +21,7 @@ struct FixedRange {
   double scale, limit;
 };
 FixedRange fixed_range(const ClothRecord&);
-/// float16: what forces are multiplied by, so that such a spring pulls 2048.
+/// float16: what forces are multiplied by: all springs of a vertex fit at twice their length.
 double half_scale(const ClothRecord&);
 
 }  // namespace weft::api

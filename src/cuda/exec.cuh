@@ -6,6 +6,7 @@
 
 #include "base/lanes.h"
 #include "step/exec_contract.h"
+#include "step/stage_clock.h"
 
 namespace weft {
 namespace WEFT_BACKEND_NS {

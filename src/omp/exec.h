@@ -9,6 +9,7 @@
 #include "base/atomic.h"
 #include "base/lanes.h"
 #include "step/exec_contract.h"
+#include "step/stage_clock.h"
 #include "step/workers.h"
 
 namespace weft {

@@ -191,5 +191,41 @@ TEST(Events, TellWhoFallsAsleepAndWakes) {
   EXPECT_EQ(test.world().events()[0].type, weft::EventType::woke);
 }
 
+double phase(const weft::World& world, const std::string& name) {
+  const weft::Stats stats = world.stats();
+  for (uint32_t i = 0; i < stats.phases.count; ++i) {
+    if (name == stats.phases[i].name) return stats.phases[i].seconds;
+  }
+  return -1;
+}
+
+TEST(Profile, TellsThePartsOfAStepOnlyWhereItIsAskedFor) {
+  if (!on_host()) GTEST_SKIP() << "of the host back end";
+  for (const bool asked : {false, true}) {
+    weft::WorldDesc desc;
+    desc.profile = asked;
+    desc.evaluation = weft::Evaluation::scatter;
+    TestWorld test(desc);
+    test.add(sheet(), hung());
+    test.step(1.0 / 60, 20);
+    const weft::World& world = test.world();
+    if (!asked) {
+      EXPECT_EQ(world.stats().phases.count, 3u);
+      continue;
+    }
+    EXPECT_GT(phase(world, "advance.springs"), 0);
+    EXPECT_GT(phase(world, "advance.particles"), 0);
+    EXPECT_GT(phase(world, "advance.survey"), 0);
+    EXPECT_EQ(phase(world, "advance.sums"), 0);
+    EXPECT_EQ(phase(world, "advance.hubs"), 0);
+    double sum = 0;
+    for (const char* part : {"reach", "springs", "hubs", "sums", "particles", "survey"}) {
+      sum += phase(world, std::string("advance.") + part);
+    }
+    EXPECT_LE(sum, phase(world, "advance"));
+    EXPECT_GE(sum, 0.5 * phase(world, "advance"));
+  }
+}
+
 }  // namespace
 }  // namespace weft_tests

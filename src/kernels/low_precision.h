@@ -25,8 +25,9 @@ WEFT_HD T rounded_to_half(T v) {
   const T size = v < T(0) ? -v : v;
   const T normal = rounded<11>(v);
   const T kept = size < T(6.103515625e-5) ? small : normal;
-  const T huge = T(1e38) * T(10) * v;  // infinite, of the sign of v
-  return size < T(65520) ? kept : huge;
+  const T infinite = static_cast<T>(__builtin_huge_valf());
+  const T beyond = v < T(0) ? -infinite : infinite;
+  return size < T(65520) ? kept : beyond;
 }
 
 constexpr int float24_digits = 17;

@@ -123,6 +123,7 @@ struct Effect {
   std::function<void(Stage&, int frame)> before_step;
   Evaluation evaluation = Evaluation::gather;
   Accumulate accumulate = Accumulate::native;
+  int frames = 20;
 };
 
 void no_change(Stage&, int) {}
@@ -245,23 +246,23 @@ const std::vector<Effect>& effects() {
          EXPECT_TRUE(*s.world.asleep(s.cloths[0]));
          EXPECT_EQ(s.world.wake(s.cloths[0]), Status::ok);
        }},
-      {"Hubs", add_forced, no_change},
-      {"Scatter", add_forced, no_change, Evaluation::scatter},
+      {"Hubs", add_forced, no_change, Evaluation::gather, Accumulate::native, 5},
+      {"Scatter", add_forced, no_change, Evaluation::scatter, Accumulate::native, 5},
       {"ScatterSleep",
        [](Stage& s) {
          add_all(s, sleepy()), add_colliders(s, {0, 0, 0});
        },
        no_change, Evaluation::scatter},
-      {"ScatterFixed64", add_forced, no_change, Evaluation::scatter, Accumulate::fixed64},
-      {"ScatterFloat16", add_forced, no_change, Evaluation::scatter, Accumulate::float16},
-      {"ScatterFloat24", add_forced, no_change, Evaluation::scatter, Accumulate::float24},
-      {"ScatterFloat24All", add_forced, no_change, Evaluation::scatter, Accumulate::float24_all},
-      {"ScatterFixed8", add_forced, no_change, Evaluation::scatter, Accumulate::fixed8},
+      {"ScatterFixed64", add_forced, no_change, Evaluation::scatter, Accumulate::fixed64, 5},
+      {"ScatterFloat16", add_forced, no_change, Evaluation::scatter, Accumulate::float16, 5},
+      {"ScatterFloat24", add_forced, no_change, Evaluation::scatter, Accumulate::float24, 5},
+      {"ScatterFloat24All", add_forced, no_change, Evaluation::scatter, Accumulate::float24_all, 5},
+      {"ScatterFixed8", add_forced, no_change, Evaluation::scatter, Accumulate::fixed8, 5},
   };
   return all;
 }
 
-/// All that a caller can read after 20 frames.
+/// All that a caller can read after the frames of an effect.
 struct Outcome {
   std::vector<uint64_t> hashes;
   std::vector<double3> vectors;  // normals, velocities, accelerations
@@ -285,7 +286,7 @@ Outcome outcome(const Effect& effect, const Backend& backend, Precision precisio
   Stage stage{context, world, {}, {}};
   effect.make(stage);
   Outcome out;
-  for (int frame = 1; frame <= 20; ++frame) {
+  for (int frame = 1; frame <= effect.frames; ++frame) {
     effect.before_step(stage, frame);
     EXPECT_EQ(world.step(1.0 / 60), Status::ok);
     if (frame % 5 != 0) continue;

@@ -15,7 +15,7 @@ uint64_t hash_of(Scene scene, Variant variant, weft::Evaluation evaluation,
   context.isa = isa;
   TestWorld test(desc, context);
   add_scene(test, scene);
-  run_scene(test);
+  test.step(1.0 / 60, 4);
   return test.hash();
 }
 
@@ -43,7 +43,7 @@ TEST_P(Scatter, SumsThatDoNotMindTheOrderAreTheSameOnAllThreadsAndInAllRuns) {
                                     weft::Accumulate::fixed8};
   for (weft::Accumulate mode : modes) {
     const uint64_t one = hash_of(scene, variant, weft::Evaluation::scatter, mode, 1);
-    for (uint32_t threads : {2u, 3u, 8u, 2u}) {
+    for (uint32_t threads : {2u, 5u, 2u}) {
       EXPECT_EQ(hash_of(scene, variant, weft::Evaluation::scatter, mode, threads), one)
           << weft::to_string(mode) << " " << threads;
     }

@@ -1,7 +1,7 @@
 """Writes docs/forces.md and its plots. usage: forces_page.py FOLDER DOCS
 
 FOLDER holds forces.json, grid.json and accumulate.json, as `weft bench NAME --json` prints them;
-scripts/forces.sh makes them. The words are those of forces_template.md. gnuplot draws the plots."""
+scripts/forces.sh makes them. The words are those of forces_page.md.in. gnuplot draws the plots."""
 
 import datetime
 import json
@@ -172,7 +172,7 @@ def page_of(measured, forces, sums, tables):
         "equilibrium16": error("equilibrium: float32, float16", "equilibrium_error"),
     }
     values.update({name: "\n".join(lines) for name, lines in tables.items()})
-    template = os.path.join(os.path.dirname(os.path.abspath(__file__)), "forces_template.md")
+    template = os.path.join(os.path.dirname(os.path.abspath(__file__)), "forces_page.md.in")
     with open(template, encoding="utf-8") as file:
         return file.read().format(**values)
 

@@ -19,7 +19,7 @@ namespace weft::bench {
 namespace {
 
 using Options = SteppedWorld::Options;
-constexpr const char* metric = "ns_per_directed_spring";
+constexpr const char* metric = "ns_per_edge";
 
 Row row_of(const std::string& name, const char* of, const char* unit, double value) {
   return {"forces", name, of, unit, value, value, value, 1};
@@ -57,7 +57,47 @@ Pair both_ways(const TriangleSheet& sheet, Precision precision) {
   return pair;
 }
 Candidate candidate(const std::string& name, const std::shared_ptr<SteppedWorld>& world) {
-  return {name, world->spring_steps(), [world] { world->advance(); }};
+  return {name, world->edge_steps(), [world] { world->advance(); }};
+}
+
+/// A root and a division, and nothing else: what evaluating a spring takes at least.
+template <class T = float>
+Candidate floor_candidate(const char* isa) {
+  auto data = std::make_shared<std::vector<T>>(64 * 64, T(1.5));
+  constexpr int passes = 96;
+  return {"floor: a root and a division", double(data->size()) * passes,
+          [data, isa] { roots_and_divisions(isa, data->data(), data->size(), passes); }};
+}
+/// A byte of a copy of as much memory as a world has, wherever that much lies.
+Candidate copy_candidate(SteppedWorld& world) {
+  const auto half = static_cast<size_t>(world.world().stats().bytes_state / 2);
+  auto data = std::make_shared<std::vector<char>>(2 * half, char(1));
+  return {"floor: copy", double(2 * half),
+          [data, half] { std::memcpy(data->data() + half, data->data(), half); }};
+}
+
+/// The bytes of a world, and its time against the larger of two floors: its roots and divisions,
+/// and the bytes that the plan says.
+void append_floor(const Interleaved& runs, size_t timed, size_t roots, size_t copy, int evaluations,
+                  SteppedWorld& world, std::vector<Row>& rows) {
+  const double edges = world.edge_steps() / world.substeps();
+  const double arithmetic = evaluations * runs.median(roots);
+  const double bandwidth = world.bytes_per_step() / edges * runs.median(copy);
+  const std::string name = runs.name(timed);
+  rows.push_back(row_of(name, "bytes", "B", double(world.world().stats().bytes_state)));
+  rows.push_back(row_of(name, "arithmetic_floor", "ns", arithmetic));
+  rows.push_back(row_of(name, "bandwidth_floor", "ns", bandwidth));
+  rows.push_back(
+      row_of(name, "floor_share", "1", std::max(arithmetic, bandwidth) / runs.median(timed)));
+}
+
+/// What the automatic choice takes, against the better of the two.
+void append_choice(const std::string& name, SteppedWorld chosen, double gather, double scatter,
+                   std::vector<Row>& rows) {
+  const Evaluation e = (*chosen.world().plan()).evaluations[0].chosen;
+  const double time = e == Evaluation::scatter ? scatter : gather;
+  rows.push_back(row_of(name + ", automatic " + to_string(e) + " / best", "ratio", "1",
+                        time / std::min(gather, scatter)));
 }
 
 double phase(World& world, const char* name) {
@@ -111,20 +151,12 @@ void table_2(const std::string& name, SteppedWorld& world, double integration_ms
   rows.push_back(row_of(name, "total", "ms", springs + rest));
 }
 
-/// A root and a division, and nothing else: what a directed spring takes at least.
-Candidate floor_candidate(const char* isa) {
-  auto data = std::make_shared<std::vector<float>>(64 * 64, 1.5f);
-  constexpr int passes = 96;
-  return {"floor: a root and a division", double(data->size()) * passes,
-          [data, isa] { roots_and_divisions(isa, data->data(), data->size(), passes); }};
-}
-
-/// The floor over the time of a directed spring without its share of the integration.
+/// The floor over the time of a gathered spring without its share of the integration.
 double floor_share(const Interleaved& runs, size_t floor, size_t gather, size_t integration,
                    uint32_t n) {
-  const double springs = 2.0 * (2.0 * n * (n - 1) + double(n - 1) * (n - 1));
-  const double share = runs.median(integration) * double(n) * n / springs;
-  return runs.median(floor) / (runs.median(gather) - share);
+  const double edges = 2.0 * n * (n - 1) + double(n - 1) * (n - 1);
+  const double share = runs.median(integration) * double(n) * n / edges;
+  return 2 * runs.median(floor) / (runs.median(gather) - share);
 }
 
 void regular_sizes(bool quick, std::ostream& progress, std::vector<Row>& rows) {
@@ -138,13 +170,19 @@ void regular_sizes(bool quick, std::ostream& progress, std::vector<Row>& rows) {
     auto grid = std::make_shared<SteppedWorld>(SteppedWorld::sheet(n, Stencil::tri6, o));
     auto free = std::make_shared<SteppedWorld>(SteppedWorld::particles(n * n, o));
     const std::string name = size_name(n) + " tri6";
+    Options once = with(Evaluation::scatter);
+    once.substeps = o.substeps;
+    auto grid_scatter = std::make_shared<SteppedWorld>(SteppedWorld::sheet(n, Stencil::tri6, once));
     Interleaved runs("forces");
-    runs.add(candidate(name + ", grid gather", grid));
-    runs.add(candidate(name + " mesh, gather", pair.gather));
-    runs.add(candidate(name + " mesh, scatter native", pair.scatter));
+    const size_t of_grid = runs.add(candidate(name + ", grid gather", grid));
+    const size_t gather = runs.add(candidate(name + " mesh, gather", pair.gather));
+    const size_t scatter = runs.add(candidate(name + " mesh, scatter native", pair.scatter));
+    const size_t grid_once = runs.add(candidate(name + ", grid scatter native", grid_scatter));
     const size_t alone =
         runs.add({"integration", free->particle_steps(), [free] { free->advance(); }});
     const size_t floor = runs.add(floor_candidate(grid->isa()));
+    const size_t copy[] = {runs.add(copy_candidate(*grid)), runs.add(copy_candidate(*pair.gather)),
+                           runs.add(copy_candidate(*pair.scatter))};
     double before[2][2];
     const std::shared_ptr<SteppedWorld> worlds[] = {pair.gather, pair.scatter};
     for (int w = 0; w < 2; ++w) {
@@ -155,14 +193,22 @@ void regular_sizes(bool quick, std::ostream& progress, std::vector<Row>& rows) {
     runs.run(rounds, progress);
     std::vector<Row> times;
     runs.append_times(metric, "ns", times);
-    times.resize(3);
+    times.resize(4);
     rows.insert(rows.end(), times.begin(), times.end());
     rows.push_back(row_of(name + ", floor / force calculation, grid gather", "ratio", "1",
-                          floor_share(runs, floor, 0, alone, n)));
+                          floor_share(runs, floor, of_grid, alone, n)));
     rows.push_back(row_of(name + ", floor / force calculation, mesh gather", "ratio", "1",
-                          floor_share(runs, floor, 1, alone, n)));
+                          floor_share(runs, floor, gather, alone, n)));
+    append_floor(runs, of_grid, floor, copy[0], 2, *grid, rows);
+    append_floor(runs, gather, floor, copy[1], 2, *pair.gather, rows);
+    append_floor(runs, scatter, floor, copy[2], 1, *pair.scatter, rows);
+    Options automatic = with(Evaluation::automatic);
+    append_choice(name + ", grid", SteppedWorld::sheet(n, Stencil::tri6, automatic),
+                  runs.median(of_grid), runs.median(grid_once), rows);
+    append_choice(name + " mesh", SteppedWorld::mesh(sheet.positions, sheet.triangles, automatic),
+                  runs.median(gather), runs.median(scatter), rows);
     const double integration = 1e-6 * runs.median(alone) * double(n) * n;
-    const double edges = worlds[0]->spring_steps() / o.substeps / 2;
+    const double edges = worlds[0]->edge_steps() / o.substeps;
     for (int w = 0; w < 2; ++w) {
       const std::string of = name + (w == 0 ? " mesh, gather" : " mesh, scatter native");
       table_1(of, *worlds[w], edges, 2 * edges, rows);
@@ -192,16 +238,17 @@ void irregular_meshes(bool quick, std::ostream& progress, std::vector<Row>& rows
   for (const Precision precision : {Precision::float32, Precision::float64}) {
     Interleaved runs("forces");
     std::vector<std::string> names;
-    std::vector<std::pair<size_t, size_t>> indices;
-    std::vector<bool> scatters;
-    for (const MeshCase& c : mesh_cases()) {
+    std::vector<MeshCase> cases = mesh_cases();
+    std::vector<Pair> pairs;
+    std::vector<std::pair<size_t, size_t>> indices, copies;
+    for (const MeshCase& c : cases) {
       const Pair pair = both_ways(c.sheet, precision);
       const std::string name = c.name + " " + to_string(precision);
       indices.emplace_back(runs.add(candidate(name + ", gather", pair.gather)),
                            runs.add(candidate(name + ", scatter native", pair.scatter)));
-      Options o = with(Evaluation::automatic, Accumulate::native, precision);
-      SteppedWorld chosen = SteppedWorld::mesh(c.sheet.positions, c.sheet.triangles, o);
-      scatters.push_back((*chosen.world().plan()).evaluations[0].chosen == Evaluation::scatter);
+      copies.emplace_back(runs.add(copy_candidate(*pair.gather)),
+                          runs.add(copy_candidate(*pair.scatter)));
+      pairs.push_back(pair);
       names.push_back(name);
       if (precision == Precision::float32 && c.name.rfind("256x256", 0) == 0) {
         const Valences v = valences_of(c.sheet);
@@ -209,16 +256,25 @@ void irregular_meshes(bool quick, std::ostream& progress, std::vector<Row>& rows
         rows.push_back(row_of(c.name, "valence_most", "1", v.most));
       }
     }
+    const char* isa = pairs[0].gather->isa();
+    const size_t floor = runs.add(precision == Precision::float32 ? floor_candidate<float>(isa)
+                                                                  : floor_candidate<double>(isa));
     runs.run(quick ? 5 : 21, progress);
-    runs.append_times(metric, "ns", rows);
+    std::vector<Row> times;
+    runs.append_times(metric, "ns", times);
+    for (Row& row : times) {
+      if (row.name.rfind("floor", 0) != 0) rows.push_back(std::move(row));
+    }
     runs.append_ratio(names[1] + " / regular, gather", indices[1].first, indices[0].first, rows);
     runs.append_ratio(names[2] + " / regular, gather", indices[2].first, indices[0].first, rows);
     for (size_t i = 0; i < names.size(); ++i) {
-      const double gather = runs.median(indices[i].first), scatter = runs.median(indices[i].second);
-      const double chosen = scatters[i] ? scatter : gather;
-      rows.push_back(
-          row_of(names[i] + ", automatic " + (scatters[i] ? "scatter" : "gather") + " / best",
-                 "ratio", "1", chosen / std::min(gather, scatter)));
+      append_floor(runs, indices[i].first, floor, copies[i].first, 2, *pairs[i].gather, rows);
+      append_floor(runs, indices[i].second, floor, copies[i].second, 1, *pairs[i].scatter, rows);
+      const TriangleSheet& sheet = cases[i].sheet;
+      append_choice(names[i],
+                    SteppedWorld::mesh(sheet.positions, sheet.triangles,
+                                       with(Evaluation::automatic, Accumulate::native, precision)),
+                    runs.median(indices[i].first), runs.median(indices[i].second), rows);
     }
   }
 }
@@ -256,9 +312,9 @@ void layouts_and_sums(bool quick, std::ostream& progress, std::vector<Row>& rows
   const size_t floor = runs.add(floor_candidate(isa));
   runs.run(quick ? 5 : 21, progress);
   runs.append_times(metric, "ns", rows);
-  runs.append_ratio("floor / 256x256 tri6, grid gather", floor, of_grid, rows);
-  runs.append_ratio("floor / 256x256 regular, sliced rows", floor, sliced[0], rows);
-  runs.append_ratio("floor / 256x256 irregular, sliced rows", floor, sliced[1], rows);
+  runs.append_ratio("two floors / 256x256 tri6, grid gather", floor, of_grid, rows, 2);
+  runs.append_ratio("two floors / 256x256 regular, sliced rows", floor, sliced[0], rows, 2);
+  runs.append_ratio("two floors / 256x256 irregular, sliced rows", floor, sliced[1], rows, 2);
   runs.append_ratio("every spring once / grid gather", once, of_grid, rows);
   for (int i = 0; i < 2; ++i) {
     const std::string name = i == 0 ? "regular: " : "irregular: ";

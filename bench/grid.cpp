@@ -95,8 +95,8 @@ void bench_sizes(bool quick, std::ostream& progress, std::vector<Row>& rows) {
     if (n == 256) index_256 = i;
     if (n == 2048) index_2048 = i;
     if (quick && n > 512) continue;
-    runs.add(chapter_candidate(size_name(n) + " chapter loop, -O3, by size", n,
-                               plain::chapter_step));
+    runs.add(
+        chapter_candidate(size_name(n) + " chapter loop, -O3, by size", n, plain::chapter_step));
     runs.add(chapter_candidate(size_name(n) + " chapter loop, bit-safe flags, by size", n,
                                bit_safe::chapter_step));
   }

@@ -49,9 +49,11 @@ double Interleaved::median(size_t candidate) const {
 }
 
 void Interleaved::append_ratio(const std::string& name, size_t slow, size_t fast,
-                               std::vector<Row>& rows) const {
+                               std::vector<Row>& rows, double times) const {
   std::vector<double> ratios;
-  for (size_t r = 0; r < ns_[slow].size(); ++r) ratios.push_back(ns_[slow][r] / ns_[fast][r]);
+  for (size_t r = 0; r < ns_[slow].size(); ++r) {
+    ratios.push_back(times * ns_[slow][r] / ns_[fast][r]);
+  }
   rows.push_back(row_of(bench_, name, "ratio", "1", ratios));
 }
 

@@ -28,8 +28,10 @@ class Interleaved {
   void append_times(const std::string& metric, const std::string& unit, std::vector<Row>&) const;
   /// Median of the ns per unit of one of them.
   double median(size_t candidate) const;
-  /// Time per unit of `slow` over that of `fast`, paired by round.
-  void append_ratio(const std::string& name, size_t slow, size_t fast, std::vector<Row>&) const;
+  const std::string& name(size_t candidate) const { return candidates_[candidate].name; }
+  /// Time per unit of `slow`, `times` that much, over that of `fast`, paired by round.
+  void append_ratio(const std::string& name, size_t slow, size_t fast, std::vector<Row>&,
+                    double times = 1) const;
   /// How much more time per unit `more` takes than `base`, paired by round.
   void append_difference(const std::string& name, const std::string& unit, size_t more, size_t base,
                          std::vector<Row>&) const;

@@ -96,7 +96,7 @@ Candidate compressed_rows(const std::string& name, const TriangleSheet& sheet, c
     }
     owned->start.push_back(static_cast<uint32_t>(owned->neighbour.size()));
   }
-  return {name, double(directed(neighbours)), [owned, isa] {
+  return {name, double(directed(neighbours)) / 2, [owned, isa] {
             at_level(isa, [&](int level) {
               const auto run = level == 4   ? layouts_v4::compressed
                                : level == 3 ? layouts_v3::compressed
@@ -126,7 +126,7 @@ Candidate padded_rows(const std::string& name, const TriangleSheet& sheet, const
       owned->neighbour[k * vertices + v] = static_cast<int32_t>(v);
     }
   }
-  return {name, double(directed(neighbours)), [owned, isa] {
+  return {name, double(directed(neighbours)) / 2, [owned, isa] {
             at_level(isa, [&](int level) {
               const auto run = level == 4   ? layouts_v4::padded
                                : level == 3 ? layouts_v3::padded
@@ -141,7 +141,7 @@ Candidate each_once(const std::string& name, uint32_t n, const char* isa) {
   const TriangleSheet sheet = triangle_sheet(n);
   auto owned = std::make_shared<Owned>(sheet.positions);
   for (const uint32_t other : {1u, n, n + 1}) owned->rest.push_back(owned->distance(0, other));
-  const double springs = 2.0 * (2.0 * n * (n - 1) + double(n - 1) * (n - 1));
+  const double springs = 2.0 * n * (n - 1) + double(n - 1) * (n - 1);
   return {name, springs, [owned, isa, n] {
             at_level(isa, [&](int level) {
               const auto run = level == 4   ? layouts_v4::once

@@ -38,6 +38,9 @@ class SteppedWorld {
   void advance();
   double particle_steps() const { return double(particles_) * substeps_; }
   double spring_steps() const { return double(directed_springs_) * substeps_; }
+  /// Every spring counted once.
+  double edge_steps() const { return spring_steps() / 2; }
+  int substeps() const { return substeps_; }
   World& world() { return world_; }
   ClothId cloth() const { return cloth_; }
   double particles() const { return double(particles_); }

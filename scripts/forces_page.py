@@ -18,7 +18,7 @@ PUBLISHED = {128: {"PCA": (0.54, None, 0.20, 0.74), "ECA": (0.40, 0.12, 0.20, 0.
 WAYS = {"gather": "PCA", "scatter native": "ECA"}
 PARTS = ("force_calculation", "force_accumulation", "integration", "total")
 STATES = ("noise of 10 % h", "noise of 1 % h", "equilibrium + 1e-4 h", "equilibrium")
-NS = "ns_per_directed_spring"
+NS = "ns_per_edge"
 
 
 def processor():
@@ -84,7 +84,11 @@ def table_2(rows):
         lines.append([f"{n} x {n} as a grid, gather", "", "", "", "",
                       number(rows.get(f"{n}x{n} tri6, grid gather", NS))])
     return table(["ms a substep", "forces", "accumulation", "integration", "total",
-                  "ns per directed spring"], lines)
+                  "ns per edge"], lines)
+
+
+def megabytes(rows, case):
+    return number(1e-6 * rows.get(case, "bytes"))
 
 
 def meshes(rows):
@@ -97,9 +101,12 @@ def meshes(rows):
                                         r", automatic (\w+) / best$", "ratio")]
         ratio = rows.get(choice[0][0], "ratio") if choice else None
         lines.append([f"{name}, {precision}", number(gather), number(scatter),
-                      number(scatter / gather), choice[0][1] if choice else "", number(ratio)])
-    return table(["", "gather", "scatter native", "scatter / gather", "`auto` takes",
-                  "its time / best"], lines)
+                      number(scatter / gather), choice[0][1] if choice else "", number(ratio),
+                      megabytes(rows, f"{name} {precision}, gather"),
+                      number(rows.get(f"{name} {precision}, gather", "floor_share"), 2),
+                      number(rows.get(f"{name} {precision}, scatter native", "floor_share"), 2)])
+    return table(["ns per edge", "gather", "scatter native", "scatter / gather", "`auto` takes",
+                  "its time / best", "MB, gather", "floor / gather", "floor / scatter"], lines)
 
 
 def layouts(rows):
@@ -111,8 +118,9 @@ def layouts(rows):
     names.append("floor: a root and a division")
     floor = rows.get(names[-1], NS)
     lines = [[name.replace(", again", ""), number(rows.get(name, NS)),
-              number(floor / rows.get(name, NS), 2)] for name in names]
-    return table(["float32, one thread", "ns per directed spring", "floor / time"], lines)
+              number(floor * (1 if "scatter" in name or "once" in name or "floor" in name else 2) /
+                     rows.get(name, NS), 2)] for name in names]
+    return table(["float32, one thread", "ns per edge", "floor / time"], lines)
 
 
 def errors(rows):

@@ -52,6 +52,7 @@ plan::ClothShape shape_of(const ClothRecord& cloth) {
   }
   shape.hubs = static_cast<uint32_t>(fabric.hubs.size());
   for (const scene::HubRow& hub : fabric.hubs) {
+    shape.hub_springs += hub.count;
     shape.hub_chunks += (hub.count + hub_chunk - 1) / hub_chunk;
   }
   shape.moving_pin_blocks = blocks_of_moving_pins(cloth);

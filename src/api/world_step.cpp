@@ -82,6 +82,7 @@ api::ArenaInput World::Impl::arena_input(uint32_t substeps) {
     if (cloth->scatters && uses_atomics(in.shape.accumulation)) {
       in.shape.cloths.back().row_entries = 0;
       in.shape.cloths.back().hubs = in.shape.cloths.back().hub_chunks = 0;
+      in.shape.cloths.back().hub_springs = 0;
     }
     if (wind || normals_wanted) {
       in.shape.cloths.back().triangle_entries = scene::fan_entries(cloth->cooked());

@@ -25,6 +25,7 @@ constexpr struct {
 
 struct Sums {
   uint64_t edges = 0;
+  uint64_t in_hubs = 0;  ///< of the directed springs
   uint64_t particles = 0, springs = 0, forced = 0, dragged = 0, damped_springs = 0, pinned = 0;
   uint64_t blown = 0;    ///< particles
   double triangles = 0;  ///< corners of triangles, with the padding of sliced rows
@@ -37,7 +38,8 @@ Sums sum_of(const WorldShape& world, KernelKind kind) {
     if (c.kind != kind) continue;
     s.particles += c.particles;
     s.springs += c.directed_springs;
-    s.entries += c.row_entries;
+    s.in_hubs += c.hub_springs;
+    s.entries += c.row_entries - static_cast<int64_t>(c.hub_springs);
     s.edges += c.edges;
     if (c.constant_forces) s.forced += c.particles;
     if (c.drag) s.dragged += c.particles;
@@ -77,6 +79,24 @@ const char* name_of(Accumulation a) {
   return "unknown";
 }
 
+/// The springs of hubs: evaluated where the cloth gathers, added where it scatters.
+void add_hub_pass(const WorldShape& world, Plan& plan) {
+  if (world.hub_chunks() == 0) return;
+  const double scalar = world.precision == Precision::float64 ? 8 : 4;
+  double springs = 0, bytes = 0, flops = 0;
+  for (const ClothShape& c : world.cloths) {
+    const auto of_cloth = static_cast<double>(c.hub_springs);
+    springs += of_cloth;
+    bytes += of_cloth * (scatters(c.kind) ? 4 + 3 * scalar : 4 + scalar);
+    if (c.kind == KernelKind::mesh_per_spring) bytes += of_cloth * scalar;
+    flops += of_cloth * (scatters(c.kind) ? sum_flops : spring_flops);
+  }
+  plan.passes.push_back({"hubs", "substep",
+                         std::string("hub_chunks") +
+                             (world.precision == Precision::float64 ? "_float64" : "_float32"),
+                         static_cast<uint64_t>(springs), bytes / springs, flops / springs});
+}
+
 /// What comes before the advance passes where cloths scatter or have vertices of very many springs.
 /// Of the pass "springs", `count` is springs and the rest is per spring.
 void add_spring_passes(const WorldShape& world, Plan& plan) {
@@ -89,6 +109,7 @@ void add_spring_passes(const WorldShape& world, Plan& plan) {
     s.damped_springs += of.damped_springs;
     s.entries += of.entries;
     s.edges += of.edges;
+    s.in_hubs += of.in_hubs;
   }
   const std::string suffix =
       std::string(world.precision == Precision::float64 ? "_float64" : "_float32") + " " +
@@ -107,16 +128,12 @@ void add_spring_passes(const WorldShape& world, Plan& plan) {
                            "edge_forces" + suffix + (damped ? " +spring_damping" : ""),
                            s.springs / 2, bytes, flops});
   }
-  if (world.hub_chunks() > 0) {
-    uint64_t entries = uint64_t(world.hub_chunks()) * hub_chunk;
-    plan.passes.push_back(
-        {"hubs", "substep", "hub_chunks" + suffix.substr(0, 8), entries, 4 + scalar, spring_flops});
-  }
+  add_hub_pass(world, plan);
   if (s.edges > 0 && sums_apart(world.accumulation)) {
     const auto n = static_cast<double>(std::max<uint64_t>(1, s.particles));
     plan.passes.push_back({"sums", "substep", "sum_forces" + suffix, s.particles,
                            (4 + 3 * scalar) * static_cast<double>(s.entries) / n + 3 * scalar,
-                           4 * sum_flops * static_cast<double>(s.springs) / n});
+                           4 * sum_flops * static_cast<double>(s.springs - s.in_hubs) / n});
   }
 }
 
@@ -137,12 +154,12 @@ Pass advance_pass(const WorldShape& world, KernelKind kind) {
     const bool native = world.accumulation == Accumulation::native;
     if (native) {
       bytes += (4 + 3 * scalar) * static_cast<double>(s.entries) / n;
-      flops += sum_flops * static_cast<double>(s.springs + s.damped_springs) / n;
+      flops += sum_flops * static_cast<double>(s.springs - s.in_hubs + s.damped_springs) / n;
     } else {
       bytes += sum_bytes(world.accumulation, scalar);
     }
   } else {
-    flops += spring_flops * static_cast<double>(s.springs) / n;
+    flops += spring_flops * static_cast<double>(s.springs - s.in_hubs) / n;
     flops += spring_damping_flops * static_cast<double>(s.damped_springs) / n;
   }
   flops += drag_flops * static_cast<double>(s.dragged) / n;

@@ -16,6 +16,7 @@ struct ClothShape {
   int64_t row_entries;  ///< sliced rows and hubs, padding included; 0 for grids that gather
   uint64_t edges;       ///< padding included; 0: it gathers
   uint32_t hubs, hub_chunks;
+  uint64_t hub_springs;  ///< directed: those of the hubs, among directed_springs
   int guard;  ///< elements that the stencil reads before and behind
   bool constant_forces;
   bool drag;

@@ -88,6 +88,91 @@ TEST(Accumulation, ErrorsAreThePublishedOnesAtOnePercentNoise) {
   expect_as_published(force_error(0.01 * h, weft::Accumulate::fixed8, 4), 3.2e-2);
 }
 
+/// The sheet hanging from its corners under its weight, damped, in one way to add up.
+class Hanging {
+ public:
+  explicit Hanging(weft::WorldDesc desc, const std::vector<Vec>& start) : test_(hung(desc)) {
+    const std::vector<weft::double3> x = to_weft(start);
+    const std::vector<weft::Pin> pins{{0}, {n - 1}, {n * n - n}, {n * n - 1}};
+    weft::ClothDesc cloth;
+    cloth.positions = weft::View<weft::double3>(x);
+    cloth.pins = pins;
+    cloth.drag = 4 * mass;
+    weft::GridDesc grid = noisy_sheet(0).grid();
+    grid.material.mass.value = mass * n * n;
+    cloth_ = test_.add(grid, cloth);
+  }
+  std::vector<Vec> after(int steps) {
+    test_.step(0.8 * test_.world().stability().dt_bound, steps);
+    return test_.positions(cloth_);
+  }
+  std::vector<Vec> net_forces() {
+    std::vector<Vec> f = test_.accelerations(cloth_);
+    for (Vec& a : f) a = mass * a;
+    return f;
+  }
+  static constexpr double mass = 0.25 / (n * n);
+
+ private:
+  static weft::WorldDesc hung(weft::WorldDesc desc) {
+    desc.gravity = {0, 0, -9.81};
+    return desc;
+  }
+  TestWorld test_;
+  weft::ClothId cloth_;
+};
+
+const std::vector<Vec>& equilibrium() {
+  static const std::vector<Vec> x = [] {
+    weft::WorldDesc desc = plain_world(weft::Precision::float64);
+    return Hanging(desc, positions_of(noisy_sheet(0))).after(60000);
+  }();
+  return x;
+}
+
+TEST(Accumulation, TheEquilibriumIsThePublishedOne) {
+  const Vec middle = equilibrium()[(n / 2) * n + n / 2];
+  // Minima lie close together; a start that is rounded to float reaches one of them.
+  expect_near(middle, {0.0334201966, 0.0334201966, -0.0821158196}, 3e-4);
+}
+
+double error_near_equilibrium(weft::Accumulate mode, double fixed8_range = 1) {
+  std::vector<Vec> x = equilibrium();
+  reference::SplitMix random(1);
+  for (Vec& p : x) p = reference::through_float(p + random.noise(1e-4 * h));
+  std::vector<Vec> expected(n * n);
+  reference::add_spring_forces(noisy_sheet(0).system().springs, x, expected);
+  for (Vec& f : expected) f.z -= 9.81 * Hanging::mass;
+  for (uint32_t pin : {0u, n - 1, n * n - n, n * n - 1}) expected[pin] = {};
+  Hanging sheet(world_of(mode, weft::Precision::float32, fixed8_range), x);
+  return relative_rms(sheet.net_forces(), expected);
+}
+
+TEST(Accumulation, ErrorsAreThePublishedOnesWhereLargeForcesCancel) {
+  expect_as_published(error_near_equilibrium(weft::Accumulate::native), 5.4e-4);
+  expect_as_published(error_near_equilibrium(weft::Accumulate::float24), 5.8e-4);
+  expect_as_published(error_near_equilibrium(weft::Accumulate::float24_all), 2.2e-1);
+  expect_as_published(error_near_equilibrium(weft::Accumulate::float16), 1.2e-2);
+  expect_as_published(error_near_equilibrium(weft::Accumulate::fixed8, 4), 4.5);
+}
+
+double way_from_equilibrium(weft::Accumulate mode) {
+  Hanging sheet(world_of(mode, weft::Precision::float32), equilibrium());
+  const std::vector<Vec> x = sheet.after(8000);
+  double furthest = 0;
+  for (size_t i = 0; i < x.size(); ++i) {
+    furthest = std::max(furthest, length(x[i] - equilibrium()[i]));
+  }
+  return furthest;
+}
+
+TEST(Accumulation, EquilibriumErrorsOfSumsAreThePublishedOnes) {
+  expect_as_published(way_from_equilibrium(weft::Accumulate::float24), 3.0e-7);
+  expect_as_published(way_from_equilibrium(weft::Accumulate::float16), 1.3e-5);
+  expect_as_published(way_from_equilibrium(weft::Accumulate::fixed8), 1.0e-2);
+  EXPECT_LE(way_from_equilibrium(weft::Accumulate::native), 5e-7);
+}
+
 TEST(Accumulation, EightBitsAreUnusableAndSixteenAreNot) {
   EXPECT_GT(force_error(0.1 * h, weft::Accumulate::fixed8), 0.1);  // sums saturate
   EXPECT_LT(force_error(0.1 * h, weft::Accumulate::float16), 1e-3);

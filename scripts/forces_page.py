@@ -172,6 +172,7 @@ def page_of(measured, forces, sums, tables):
         "gather": force(gather, "total"), "scatter": force(scatter, "total"),
         "fixed64": force("256x256 regular, scatter fixed64"),
         "atomic": force("256x256 regular, scatter atomic"),
+        "atomics": force("256x256 regular, scatter fixed64") / force("256x256 regular, sliced rows"),
         "fixed8": error("noise of 10 % h: float32, fixed8"),
         "fixed8_wide": error("noise of 10 % h: float32, fixed8, full scale 4 forces"),
         "float16": error("noise of 10 % h: float32, float16"),

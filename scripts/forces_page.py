@@ -19,6 +19,7 @@ WAYS = {"gather": "PCA", "scatter native": "ECA"}
 PARTS = ("force_calculation", "force_accumulation", "integration", "total")
 STATES = ("noise of 10 % h", "noise of 1 % h", "equilibrium + 1e-4 h", "equilibrium")
 NS = "ns_per_edge"
+LAYOUT = "256x256 regular, sliced rows"
 
 
 def processor():
@@ -172,7 +173,7 @@ def page_of(measured, forces, sums, tables):
         "gather": force(gather, "total"), "scatter": force(scatter, "total"),
         "fixed64": force("256x256 regular, scatter fixed64"),
         "atomic": force("256x256 regular, scatter atomic"),
-        "atomics": force("256x256 regular, scatter fixed64") / force("256x256 regular, sliced rows"),
+        "atomics": force("256x256 regular, scatter fixed64") / force(LAYOUT),
         "fixed8": error("noise of 10 % h: float32, fixed8"),
         "fixed8_wide": error("noise of 10 % h: float32, fixed8, full scale 4 forces"),
         "float16": error("noise of 10 % h: float32, float16"),

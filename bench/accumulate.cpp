@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "bench/random.h"
 #include "weft/weft.hpp"
 
 namespace weft::bench {
@@ -37,24 +38,10 @@ const Mode modes[] = {
     {"float64, fixed8", Precision::float64, scatter, Accumulate::fixed8},
 };
 
-/// splitmix64: the same states everywhere.
-class Random {
- public:
-  explicit Random(uint64_t seed) : state_(seed) {}
-  double uniform() {  // [0, 1)
-    uint64_t z = state_ += 0x9e3779b97f4a7c15u;
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-    return double((z ^ (z >> 31)) >> 11) * 0x1p-53;
-  }
-  double3 within(double half) {
-    const double x = uniform(), y = uniform(), z = uniform();
-    return {half * (2 * x - 1), half * (2 * y - 1), half * (2 * z - 1)};
-  }
-
- private:
-  uint64_t state_;
-};
+double3 within(double half, Random& random) {
+  const double x = random.uniform(), y = random.uniform(), z = random.uniform();
+  return {half * (2 * x - 1), half * (2 * y - 1), half * (2 * z - 1)};
+}
 
 std::vector<double3> flat_sheet() {
   std::vector<double3> x;
@@ -74,7 +61,7 @@ double as_float(double v) {
 std::vector<double3> shaken(std::vector<double3> x, double half) {
   Random random(1);
   for (double3& p : x) {
-    const double3 by = random.within(half);
+    const double3 by = within(half, random);
     p = {as_float(p.x + by.x), as_float(p.y + by.y), as_float(p.z + by.z)};
   }
   return x;

@@ -323,6 +323,31 @@ void layouts_and_sums(bool quick, std::ostream& progress, std::vector<Row>& rows
   }
 }
 
+/// How much two threads gain where long rows lie together: a network of which one half has twenty
+/// neighbours for every vertex, the other four.
+void shares(bool quick, std::ostream& progress, std::vector<Row>& rows) {
+  constexpr uint32_t n = 65536;
+  std::vector<double3> positions;
+  std::vector<Spring> springs;
+  for (uint32_t v = 0; v < n; ++v) {
+    positions.push_back({1e-3 * double(v), 0, 0});
+    const uint32_t most = v < n / 2 ? 10 : 2;
+    for (uint32_t k = 1; k <= most && v + k < n; ++k) springs.push_back({v, v + k});
+  }
+  Interleaved runs("forces");
+  size_t index[2];
+  for (uint32_t threads : {1u, 2u}) {
+    Options o;
+    o.threads = threads;
+    index[threads - 1] = runs.add(
+        candidate("network of valence 20 and 4, " + std::to_string(threads) + " threads",
+                  std::make_shared<SteppedWorld>(SteppedWorld::network(positions, springs, o))));
+  }
+  runs.run(quick ? 5 : 21, progress);
+  runs.append_times(metric, "ns", rows);
+  runs.append_ratio("network of valence 20 and 4, 1 thread / 2 threads", index[0], index[1], rows);
+}
+
 }  // namespace
 
 std::vector<Row> run_forces(bool quick, std::ostream& progress) {
@@ -330,6 +355,7 @@ std::vector<Row> run_forces(bool quick, std::ostream& progress) {
   regular_sizes(quick, progress, rows);
   irregular_meshes(quick, progress, rows);
   layouts_and_sums(quick, progress, rows);
+  shares(quick, progress, rows);
   return rows;
 }
 

@@ -5,22 +5,11 @@
 #include <set>
 #include <unordered_map>
 
+#include "bench/random.h"
+
 namespace weft::bench {
 
 namespace {
-
-class Random {
- public:
-  uint32_t below(uint32_t bound) {
-    uint64_t z = state_ += 0x9e3779b97f4a7c15u;
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-    return static_cast<uint32_t>((z ^ (z >> 31)) >> 32) % bound;
-  }
-
- private:
-  uint64_t state_ = 7;
-};
 
 uint64_t key(uint32_t a, uint32_t b) { return uint64_t(std::min(a, b)) << 32 | std::max(a, b); }
 
@@ -95,7 +84,7 @@ class Flipper {
 
 TriangleSheet irregular_sheet(uint32_t n, bool shuffled) {
   TriangleSheet sheet = triangle_sheet(n);
-  Random random;
+  Random random(7);
   Flipper flipper(sheet);
   const auto triangles = static_cast<uint32_t>(sheet.triangles.size() / 3);
   for (uint32_t i = 0; i < 4 * triangles; ++i) {

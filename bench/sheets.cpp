@@ -57,11 +57,17 @@ SteppedWorld SteppedWorld::sheet(uint32_t n, Stencil stencil, const Options& opt
 }
 
 SteppedWorld SteppedWorld::particles(uint32_t count, const Options& options) {
+  return network(std::vector<double3>(count, double3{0, 0, 0}), {}, options);
+}
+
+SteppedWorld SteppedWorld::network(const std::vector<double3>& positions,
+                                   const std::vector<Spring>& springs, const Options& options) {
   Context context = make_context(options);
-  const std::vector<double3> positions(count, double3{0, 0, 0});
   NetworkDesc desc;
   desc.positions = View<double3>(positions);
-  Fabric fabric = take(context.cook(desc), "particles");
+  desc.springs = springs;
+  desc.material.stiffness = options.stiffness;
+  Fabric fabric = take(context.cook(desc), "network");
   return {std::move(context), fabric, options};
 }
 

@@ -31,6 +31,8 @@ class SteppedWorld {
   static SteppedWorld sheet(uint32_t n, Stencil, const Options&);
   /// Free particles without springs: what integration takes by itself.
   static SteppedWorld particles(uint32_t count, const Options&);
+  static SteppedWorld network(const std::vector<double3>& positions,
+                              const std::vector<Spring>& springs, const Options&);
   /// The same from triangles.
   static SteppedWorld mesh(const std::vector<double3>& positions,
                            const std::vector<uint32_t>& triangles, const Options&);

@@ -93,6 +93,13 @@ WEFT_HD Vec3<T> incident_force(Vec3Array<T> forces, int32_t incident) {
   return select(second, Vec3<T>{-f.x, -f.y, -f.z}, f);
 }
 
+/// Springs of the particles of `count` blocks from the first on, and as much again for each.
+template <class T>
+WEFT_HD int64_t incident_before(const Edges<T>& edges, int first_block, int count) {
+  const int slice = first_block - edges.first_block;
+  return edges.start[slice + count] - edges.start[slice] + int64_t(count) * block_size;
+}
+
 /// Adds the forces of the springs of each particle of a block; hubs: kernels/hubs.h.
 template <class T, class Sum, int N>
 WEFT_HD void sum_incident(const Edges<T>& edges, Vec3Array<T> forces, const Sum& s, int block,

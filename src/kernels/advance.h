@@ -24,6 +24,9 @@ struct Advance {
   Fan fan;
   int first_block;
 
+  static constexpr bool uneven = Springs::uneven;
+  WEFT_HD int64_t work_before(int index) const { return springs.work_before(first_block, index); }
+
   template <int N>
   WEFT_HD void operator()(int index, int lane0, Lanes<N> lanes) const {
     const int block = first_block + index;

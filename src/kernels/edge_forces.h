@@ -147,9 +147,7 @@ struct EdgeForces {
   template <int N>
   WEFT_HD_COLD void find_largest(Lanes<N> lanes, const LaneVec3<T, N>& force) const {
     T most[N];
-    lanes.each([&](int l) WEFT_LANE {
-      most[l] = square_root(dot(force.get(l), force.get(l)));
-    });
+    lanes.each([&](int l) WEFT_LANE { most[l] = square_root(dot(force.get(l), force.get(l))); });
     double largest = 0;
     for (int l = 0; l < N; ++l) largest = larger(largest, double(most[l]));
     unsigned long long bits;

@@ -23,6 +23,7 @@ struct GridSprings {
   const uint16_t* presence;
   const uint8_t* inner;
 
+  static constexpr bool uneven = false;
   WEFT_HD bool stopped() const { return false; }
 
   /// Distances in memory from a particle to its neighbours.

@@ -20,6 +20,12 @@ struct MeshSprings {
   SlicedRows<T> rows;
   Hubs<T> hubs;
 
+  static constexpr bool uneven = true;
+  /// Entries of `count` blocks from the first on, and as much again for each particle.
+  WEFT_HD int64_t work_before(int first_block, int count) const {
+    const int slice = first_block - rows.first_block;
+    return rows.start[slice + count] - rows.start[slice] + int64_t(count) * block_size;
+  }
   WEFT_HD bool stopped() const { return false; }
 
   template <int N>

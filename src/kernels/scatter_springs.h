@@ -12,6 +12,11 @@ template <class T>
 struct SumForces {
   Simulation<T> sim;
 
+  static constexpr bool uneven = true;
+  WEFT_HD int64_t work_before(int index) const {
+    return incident_before(sim.edges, sim.edges.first_block, index);
+  }
+
   template <int N>
   WEFT_HD void operator()(int index, int lane0, Lanes<N> lanes) const {
     const Edges<T>& edges = sim.edges;
@@ -56,6 +61,11 @@ struct ScatterSprings {
   Edges<T> edges;
   Hubs<T> hubs;
 
+  static constexpr bool uneven = true;
+  WEFT_HD int64_t work_before(int first_block, int count) const {
+    return edges.accumulation == Accumulation::native ? incident_before(edges, first_block, count)
+                                                      : int64_t(count);
+  }
   /// Nothing moves any more once a force has left the range of the integers.
   WEFT_HD bool stopped() const {
     return edges.overflow != nullptr && *edges.overflow != no_overflow;

@@ -1,6 +1,6 @@
-// The OpenMP executor: blocks are split evenly over threads in order, 32 lanes a block, one
-// parallel region per frame. Part of every instruction-level object: no container, no algorithm, no
-// stream.
+// The OpenMP executor: blocks are split evenly over threads in order, by number or by work, 32
+// lanes a block, one parallel region per frame. Part of every instruction-level object: no
+// container, no algorithm, no stream.
 #pragma once
 
 #include <omp.h>
@@ -44,6 +44,27 @@ __attribute__((noinline)) void run_range(const Kernel& shared, int begin, int en
   for (int block = begin; block < end; ++block) kernel(block, 0, Lanes<block_size>{});
 }
 
+/// The block at which thread `thread` of `threads` begins: shares are equal in number or, where the
+/// kernel's blocks are uneven, in work.
+template <class Kernel>
+int first_of_share(const Kernel& kernel, int count, int thread, int threads) {
+  if constexpr (is_uneven<Kernel>::value) {
+    const int64_t wanted = kernel.work_before(count) * thread / threads;
+    int low = 0, high = count;
+    while (low < high) {
+      const int middle = low + (high - low) / 2;
+      if (kernel.work_before(middle) < wanted) {
+        low = middle + 1;
+      } else {
+        high = middle;
+      }
+    }
+    return low;
+  } else {
+    return static_cast<int>(int64_t(count) * thread / threads);
+  }
+}
+
 /// What one thread of a region sees; where the caller brings jobs, its own thread.
 class Team {
  public:
@@ -57,8 +78,10 @@ class Team {
   void for_each_block(int count, const Kernel& kernel) const {
     check_kernel<Kernel>();
     if (jobs_ != nullptr) return hand_out(count, kernel);
-    const int begin = static_cast<int>(int64_t(count) * thread_ / threads_);
-    const int end = static_cast<int>(int64_t(count) * (thread_ + 1) / threads_);
+    if (threads_ == 1) return run_range(kernel, 0, count);
+    const int begin = first_of_share(kernel, count, thread_, threads_);
+    const int end =
+        thread_ + 1 == threads_ ? count : first_of_share(kernel, count, thread_ + 1, threads_);
     run_range(kernel, begin, end);
   }
   void meet() const {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "weft/plan.hpp"
+
 namespace weft::plan {
 
 namespace {
@@ -59,25 +61,7 @@ double sum_bytes(Accumulation a, double scalar) {
   return (a == Accumulation::atomic ? 2 : 1) * 3 * scalar;
 }
 
-const char* name_of(Accumulation a) {
-  switch (a) {
-    case Accumulation::native:
-      return "native";
-    case Accumulation::atomic:
-      return "atomic";
-    case Accumulation::fixed64:
-      return "fixed64";
-    case Accumulation::float16:
-      return "float16";
-    case Accumulation::float24:
-      return "float24";
-    case Accumulation::float24_all:
-      return "float24_all";
-    case Accumulation::fixed8:
-      return "fixed8";
-  }
-  return "unknown";
-}
+const char* name_of(Accumulation a) { return to_string(static_cast<Accumulate>(a)); }
 
 /// The springs of hubs: evaluated where the cloth gathers, added where it scatters.
 void add_hub_pass(const WorldShape& world, Plan& plan) {

@@ -26,6 +26,13 @@
 namespace weft {
 namespace WEFT_BACKEND_NS {
 
+/// A kernel whose blocks differ in length says so by `uneven`, and by work_before(block),
+/// ascending, what those before one take: a host shares them out by it.
+template <class Kernel, class = void>
+struct is_uneven : std::false_type {};
+template <class Kernel>
+struct is_uneven<Kernel, std::enable_if_t<Kernel::uneven>> : std::true_type {};
+
 template <class Kernel>
 constexpr void check_kernel() {
   static_assert(std::is_trivially_copyable_v<Kernel>,

@@ -268,8 +268,8 @@ TEST_P(EachOnce, HasTheBitsOfTheGather) {
 
 INSTANTIATE_TEST_SUITE_P(Precision, EachOnce, both_precisions(), precision_name);
 
-/// A hub of D spokes whose forces do not cancel: error of the sum in units of its size.
-double hub_error(uint32_t spokes, weft::Evaluation evaluation) {
+/// Spokes whose forces do not cancel.
+NetworkParts hub_of(uint32_t spokes) {
   reference::SplitMix random(9);
   NetworkParts hub;
   hub.positions = {{0, 0, 0}};
@@ -280,21 +280,45 @@ double hub_error(uint32_t spokes, weft::Evaluation evaluation) {
     hub.springs.push_back({0, i, 1 + random.uniform(), 0});
   }
   for (weft::Spring& s : hub.springs) s.stiffness = reference::through_float(s.stiffness);
-  Vec expected;
-  for (const weft::Spring& s : hub.springs) expected += s.stiffness * hub.positions[s.b];
-  weft::WorldDesc desc = plain_world(weft::Precision::float32);
+  return hub;
+}
+
+Vec hub_force(const NetworkParts& hub, weft::Evaluation evaluation, weft::Precision precision) {
+  weft::WorldDesc desc = plain_world(precision);
   desc.evaluation = evaluation;
   TestWorld test(desc);
-  const Vec force = test.accelerations(add_network(test, hub))[0];
-  return length(force - expected) / length(expected);
+  return test.accelerations(add_network(test, hub))[0];
+}
+
+/// Error of the sum in units of its size.
+double hub_error(uint32_t spokes, weft::Evaluation evaluation, weft::Precision precision) {
+  const NetworkParts hub = hub_of(spokes);
+  Vec expected;
+  for (const weft::Spring& s : hub.springs) expected += s.stiffness * hub.positions[s.b];
+  return length(hub_force(hub, evaluation, precision) - expected) / length(expected);
 }
 
 TEST(HubSum, IsNearlyAsExactAsAPairwiseOne) {
   // Sequential sums are off by 3.9e-6 at 1e5 terms, pairwise ones by 7e-8.
   for (weft::Evaluation e : {weft::Evaluation::gather, weft::Evaluation::scatter}) {
-    EXPECT_LE(hub_error(100000, e), 1e-6);
-    EXPECT_LE(hub_error(3000, e), 1e-6);
-    EXPECT_LE(hub_error(129, e), 1e-6);
+    EXPECT_LE(hub_error(100000, e, weft::Precision::float32), 1e-6);
+    EXPECT_LE(hub_error(3000, e, weft::Precision::float32), 1e-6);
+    EXPECT_LE(hub_error(129, e, weft::Precision::float32), 1e-6);
+  }
+}
+
+TEST(HubSum, IsTheSameBothWaysAroundEveryLimit) {
+  for (uint32_t spokes :
+       {1u, 31u, 32u, 33u, 127u, 128u, 129u, 159u, 160u, 161u, 1023u, 1024u, 1025u, 2048u, 2049u}) {
+    for (weft::Precision p : {weft::Precision::float32, weft::Precision::float64}) {
+      const NetworkParts hub = hub_of(spokes);
+      EXPECT_TRUE(same_bits(hub_force(hub, weft::Evaluation::gather, p),
+                            hub_force(hub, weft::Evaluation::scatter, p)))
+          << spokes;
+      EXPECT_LE(hub_error(spokes, weft::Evaluation::gather, p),
+                p == weft::Precision::float32 ? 2e-6 : 1e-14)
+          << spokes;
+    }
   }
 }
 

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "bench/interleave.h"
+#include "bench/irregular.h"
 #include "bench/sheets.h"
 
 namespace weft::bench {
@@ -118,6 +119,38 @@ void measure_host(int rounds, std::ostream& progress, std::vector<Row>& rows) {
   measure(all, rounds, 0, progress, rows);
 }
 
+/// Gather against scatter, and an irregular mesh against the regular one of as many edges.
+void measure_meshes(BackendKind gpu, bool quick, int rounds, std::ostream& progress,
+                    std::vector<Row>& rows) {
+  const uint32_t n = quick ? 256 : 1024;
+  const TriangleSheet regular = triangle_sheet(n), irregular = irregular_sheet(n, false);
+  Interleaved runs("gpu");
+  const auto add = [&](const std::string& name, const TriangleSheet& sheet, Evaluation evaluation,
+                       Accumulate accumulate) {
+    SteppedWorld::Options options = on_gpu(gpu, frame);
+    options.evaluation = evaluation;
+    options.accumulate = accumulate;
+    auto world = std::make_shared<SteppedWorld>(
+        SteppedWorld::mesh(sheet.positions, sheet.triangles, options));
+    return runs.add(
+        {size_name(n) + " " + name, world->edge_steps(), [world] { world->advance(); }});
+  };
+  const size_t gather = add("mesh, gather", regular, Evaluation::gather, Accumulate::native);
+  const size_t uneven =
+      add("irregular mesh, gather", irregular, Evaluation::gather, Accumulate::native);
+  std::vector<size_t> scatters;
+  for (const Accumulate a : {Accumulate::native, Accumulate::atomic, Accumulate::fixed64}) {
+    scatters.push_back(
+        add(std::string("mesh, scatter ") + to_string(a), regular, Evaluation::scatter, a));
+  }
+  runs.run(rounds, progress);
+  runs.append_times("ns_per_edge", "ns", rows);
+  for (const size_t s : scatters) {
+    runs.append_ratio(runs.name(s) + " / gather", s, gather, rows);
+  }
+  runs.append_ratio(size_name(n) + " irregular / regular, gather", uneven, gather, rows);
+}
+
 /// cuda or hip; automatic where there is neither.
 BackendKind gpu_here(std::ostream& progress) {
   const auto context = Context::create();
@@ -145,6 +178,7 @@ std::vector<Row> run_gpu(bool quick, std::ostream& progress) {
   }
   const int rounds = quick ? 5 : 21;
   measure(cases(gpu, quick), rounds, bandwidth, progress, rows);
+  measure_meshes(gpu, quick, rounds, progress, rows);
   measure_host(rounds, progress, rows);
   return rows;
 }

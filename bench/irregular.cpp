@@ -27,6 +27,15 @@ class Flipper {
     }
   }
 
+  /// Gives the corners of the sheet that have two neighbours a third.
+  void lift_corners() {
+    for (uint32_t t = 0; t < t_.size() / 3; ++t) {
+      for (uint32_t side = 0; side < 3; ++side) {
+        if (valence_[corner(t, side + 2)] == 2) flip(t, side);
+      }
+    }
+  }
+
   /// Flips an edge of a triangle, if valences stay in 3 to 12 and the new edge is not there yet.
   void flip(uint32_t triangle, uint32_t side) {
     const uint32_t a = corner(triangle, side), b = corner(triangle, side + 1),
@@ -86,6 +95,7 @@ TriangleSheet irregular_sheet(uint32_t n, bool shuffled) {
   TriangleSheet sheet = triangle_sheet(n);
   Random random(7);
   Flipper flipper(sheet);
+  flipper.lift_corners();
   const auto triangles = static_cast<uint32_t>(sheet.triangles.size() / 3);
   for (uint32_t i = 0; i < 4 * triangles; ++i) {
     const uint32_t t = random.below(triangles);

@@ -2,9 +2,9 @@
 
 import datetime
 import json
-import platform
-import re
 import sys
+
+from machine import processor
 
 HEAD = """# What effects cost
 
@@ -46,14 +46,6 @@ TAIL = """
 
 `weft plan SCENE` prints the passes of a scene with their bytes and flops.
 """
-
-
-def processor():
-    try:
-        with open("/proc/cpuinfo", encoding="utf-8") as file:
-            return re.search(r"model name\s*:\s*(.*)", file.read())[1]
-    except (OSError, TypeError):
-        return platform.machine()
 
 
 with open(sys.argv[1], encoding="utf-8") as file:

@@ -9,11 +9,11 @@ import datetime
 import json
 import math
 import os
-import platform
-import re
 import subprocess
 import sys
 import tempfile
+
+from machine import processor
 
 BEGIN, END = "<!-- figures: scripts/figures.sh -->", "<!-- end of figures -->"
 SECONDS = 0.25
@@ -27,14 +27,6 @@ SCENE = {
         "damping": {"drag": 1e-4, "spring": 1e-3},
         "pins": [{"corners": True}]}],
 }
-
-
-def processor():
-    try:
-        with open("/proc/cpuinfo", encoding="utf-8") as file:
-            return re.search(r"model name\s*:\s*(.*)", file.read())[1].strip()
-    except (OSError, TypeError):
-        return platform.machine()
 
 
 def positions(path):

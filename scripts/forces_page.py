@@ -6,10 +6,11 @@ scripts/forces.sh makes them. The words are those of forces_page.md.in. gnuplot 
 import datetime
 import json
 import os
-import platform
 import re
 import subprocess
 import sys
+
+from machine import processor
 
 # Georgii and Westermann 2005, Table 2: ms on an ATI X800 XT.
 PUBLISHED = {128: {"PCA": (0.54, None, 0.20, 0.74), "ECA": (0.40, 0.12, 0.20, 0.72)},
@@ -20,14 +21,6 @@ PARTS = ("force_calculation", "force_accumulation", "integration", "total")
 STATES = ("noise of 10 % h", "noise of 1 % h", "equilibrium + 1e-4 h", "equilibrium")
 NS = "ns_per_edge"
 LAYOUT = "256x256 regular, sliced rows"
-
-
-def processor():
-    try:
-        with open("/proc/cpuinfo", encoding="utf-8") as file:
-            return re.search(r"model name\s*:\s*(.*)", file.read())[1].strip()
-    except (OSError, TypeError):
-        return platform.machine()
 
 
 class Rows:
@@ -161,15 +154,16 @@ def page_of(measured, forces, sums, tables):
         return sums.get(case, metric)
 
     gather, scatter = "256x256 tri6 mesh, gather", "256x256 tri6 mesh, scatter native"
-    share = "256x256 tri6, floor / force calculation, {} gather"
     values = {
         "measured": measured,
         "operations": force(scatter, "operations") / force(gather, "operations"),
         "memory": force(scatter, "memory") / force(gather, "memory"),
         "irregular": force("256x256 irregular float32 / regular, gather", "ratio"),
         "padded": force("irregular: padded / sliced rows", "ratio"),
-        "share_grid": 100 * force(share.format("grid"), "ratio"),
-        "share_mesh": 100 * force(share.format("mesh"), "ratio"),
+        "whole_grid": 100 * force("two floors / 256x256 tri6, grid gather", "ratio"),
+        "whole_mesh": 100 * force("two floors / 256x256 regular, sliced rows", "ratio"),
+        "share_mesh": 100 * force("256x256 tri6, floor / force calculation, mesh gather", "ratio"),
+        "threads": force("network of valence 20 and 4, 1 thread / 2 threads", "ratio"),
         "gather": force(gather, "total"), "scatter": force(scatter, "total"),
         "fixed64": force("256x256 regular, scatter fixed64"),
         "atomic": force("256x256 regular, scatter atomic"),

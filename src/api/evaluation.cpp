@@ -14,12 +14,9 @@ plan::EvaluationCost cost_of(const ClothRecord& cloth, Precision precision,
   const scene::CookedFabric& fabric = cloth.cooked();
   plan::EvaluationShape shape{};
   shape.grid = fabric.is_grid;
-  shape.per_spring = !fabric.is_grid && !fabric.rows.stiffness.empty();
-  shape.precision = precision;
-  shape.particles = fabric.vertices;
   shape.edges = fabric.springs;
   shape.entries = fabric.is_grid ? 2 * fabric.springs : uint64_t(fabric.row_entries);
-  return plan::evaluation_cost(shape, plan::coefficients_of(backend.isa, precision));
+  return plan::evaluation_cost(shape, plan::prices_of(backend.isa, precision));
 }
 
 namespace {

@@ -19,11 +19,10 @@ uint32_t vertex_at(const api::ClothRecord& cloth, int element) {
 
 inline namespace v0 {
 
-Status World::Impl::report_overflow() {
+Status World::Impl::find_overflow(api::Overflow& out) {
   api::ForceOverflow found;
   Status status = arena->force_overflow(found);
   if (status != Status::ok || !found.happened) return status;
-  lost = true;
   const api::ClothRecord* cloth = nullptr;
   for (const api::ClothRecord* c : built->cloths) {
     if (c->first <= found.a) cloth = c;
@@ -33,15 +32,28 @@ Status World::Impl::report_overflow() {
   if (status != Status::ok) return status;
   const uint32_t a = vertex_at(*cloth, found.a), b = vertex_at(*cloth, found.b);
   const double force = found.stiffness * (api::length(api::minus(x[b], x[a])) - found.rest);
+  out.cloth = cloth->id;
+  out.vertex = a;
+  out.substep = found.substep;
+  out.text = text(
+      "vertex %u of cloth %u feels %.6g N of its spring to vertex %u (fixed64 counts up to %.6g N "
+      "in "
+      "this cloth) use accumulate native, or look for extreme inputs",
+      a, cloth->id.index, force, b, api::fixed_range(*cloth).limit);
+  return Status::diverged;
+}
+
+Status World::Impl::report_overflow() {
+  api::Overflow found;
+  const Status status = find_overflow(found);
+  if (status != Status::diverged) return status;
+  lost = true;
   const double when = time - flight.dt + found.substep * flight.dt / flight.substeps;
-  std::string message = text(
-      "vertex %u of cloth %u feels %.6g N of its spring to vertex %u after %.6g s (fixed64 counts "
-      "up to %.6g N in this cloth) use accumulate native, or look for extreme inputs",
-      a, cloth->id.index, force, b, when, api::fixed_range(*cloth).limit);
-  event_records.push_back({{EventType::force_overflow, cloth->id, a, when, nullptr}, message});
+  event_records.push_back(
+      {{EventType::force_overflow, found.cloth, found.vertex, when, nullptr}, found.text});
   events.push_back(event_records.back().event);
   events.back().text = event_records.back().text.c_str();
-  return context->fail(Status::diverged, message);
+  return context->fail(status, found.text);
 }
 
 }  // namespace v0

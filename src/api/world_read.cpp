@@ -24,9 +24,13 @@ Status World::Impl::make_result(api::StateArray which) {
                                                                : Result::none;
   if (wanted == Result::none || wanted == result) return Status::ok;
   const double dt = dt_before > 0 ? dt_before : built_dt;
-  const Status status = wanted == Result::normals
-                            ? arena->normals(*built, context->workers())
-                            : arena->accelerations(*built, dt, context->workers());
+  Status status = wanted == Result::normals ? arena->normals(*built, context->workers())
+                                            : arena->accelerations(*built, dt, context->workers());
+  if (status == Status::ok && wanted == Result::accelerations) {
+    api::Overflow found;
+    status = find_overflow(found);
+    if (status == Status::diverged) status = context->fail(status, found.text);
+  }
   result = status == Status::ok ? wanted : Result::none;
   return status;
 }

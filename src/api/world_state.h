@@ -38,6 +38,14 @@ struct Flight {
   std::atomic<bool> done{true};  ///< set by the thread that made the step
 };
 
+/// A force beyond the range of fixed64.
+struct Overflow {
+  ClothId cloth;
+  uint32_t vertex = 0;
+  int substep = 0;
+  std::string text;
+};
+
 enum Phase { phase_prepare, phase_inputs_and_advance, phase_check, phase_count };
 /// Of the parts of a frame, with the phases before them.
 constexpr int phases_with_laps = phase_count + lap_count;
@@ -77,7 +85,9 @@ struct __attribute__((visibility("hidden"))) World::Impl {
   void start_bounds_of(api::ClothRecord&) const;
   void publish_bounds(api::ClothRecord&) const;
   Status report_not_finite();
-  /// Of a force beyond the range of fixed64 in the last step; ok when there was none.
+  /// A force beyond the range of fixed64: diverged, or ok when there was none.
+  Status find_overflow(api::Overflow&);
+  /// Of one in the last step.
   Status report_overflow();
   /// What a collider can touch between now and the end of a step of `dt` wakes up, if it moves.
   void wake_touched(const api::ColliderRecord&, double dt);

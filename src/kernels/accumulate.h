@@ -78,7 +78,8 @@ WEFT_HD void with_sum(const Edges<T>& edges, const ClothParams<T>& cloth, Use us
       double largest;
       __builtin_memcpy(&largest, edges.largest, sizeof largest);
       const double full = largest * edges.full_scale;
-      return use(Fixed8Sum<T>{full > 0 ? T(127 / full) : T(0), T(full / 127)});
+      // Below, steps would have no reciprocal in float.
+      return use(Fixed8Sum<T>{full > 1e-36 ? T(127 / full) : T(0), T(full / 127)});
     }
     default:
       return use(NativeSum<T>{});

@@ -40,7 +40,8 @@ struct Advance {
         return stages.rest(sim.activity[of_cloth], i0, lanes);
       }
     }
-    if (springs.stopped()) return stages.stand_still(i0, lanes);
+    const bool moves = step.update == Update::summed || step.update == Update::position;
+    if (moves && springs.stopped()) return stages.stand_still(i0, lanes);
     LaneVec3<T, N> force;
     springs.gather(cloth, stages.p, block, i0, lanes, force);
     if constexpr (contains(Set, Stage::forces)) {
@@ -64,7 +65,7 @@ struct Advance {
     } else {
       stages.integrate(cloth, Everywhere{}, i0, lanes, force);
     }
-    if (step.update != Update::summed && step.update != Update::position) return;
+    if (!moves) return;
     // -- seam: colliders | pins
     if constexpr (contains(Set, Stage::moving_pins)) {
       if (sim.block.pins != nullptr && sim.block.pins[block] >= 0) {

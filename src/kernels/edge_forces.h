@@ -152,8 +152,8 @@ struct EdgeForces {
     for (int l = 0; l < N; ++l) largest = larger(largest, double(most[l]));
     unsigned long long bits;
     __builtin_memcpy(&bits, &largest, sizeof bits);
-    atomic_most(sim.edges.largest,
-                bits);  // doubles that are not negative are ordered as their bits
+    // Doubles that are not negative are ordered as their bits.
+    atomic_most(sim.edges.largest, bits);
   }
 };
 

@@ -4,7 +4,7 @@
 
 namespace weft::plan {
 
-EvaluationPrices coefficients_of(const char* isa, Precision precision) {
+EvaluationPrices prices_of(const char* isa, Precision precision) {
   const bool wide = precision == Precision::float64;
   if (std::strcmp(isa, "v4") == 0) {
     return wide ? EvaluationPrices{1.3, 1.65, 3.1, 1.15} : EvaluationPrices{0.4, 1.4, 2.7, 1.5};

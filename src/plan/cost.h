@@ -9,9 +9,8 @@ namespace weft::plan {
 
 /// Of one cloth.
 struct EvaluationShape {
-  bool grid, per_spring;
-  Precision precision;
-  uint64_t particles, edges;
+  bool grid;
+  uint64_t edges;
   uint64_t entries;  ///< of the rows of a gather or of the springs of each vertex, padding included
 };
 
@@ -29,7 +28,7 @@ struct EvaluationCost {
 };
 
 /// Measured by `weft bench forces` for each instruction level; a GPU's are in proportion to bytes.
-EvaluationPrices coefficients_of(const char* isa, Precision);
+EvaluationPrices prices_of(const char* isa, Precision);
 EvaluationCost evaluation_cost(const EvaluationShape&, const EvaluationPrices&);
 
 }  // namespace weft::plan

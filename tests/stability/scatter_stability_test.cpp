@@ -95,6 +95,20 @@ TEST(Fixed64Range, HoldsFourThousandTimesTheForceAtTwiceTheLength) {
   EXPECT_NEAR(test.positions(cloth, 4)[3].x, 6 + 4e3, 1);
 }
 
+TEST(Fixed64Range, ReadingBeyondItIsRefusedAndChangesNothing) {
+  TestWorld test(scattering(weft::Accumulate::fixed64));
+  const weft::ClothId cloth = add_network(test, flying_apart(1e6));
+  test.step(1e-3, 5);  // the last forces were within, those of the present are not
+  std::vector<weft::double3> out(4);
+  expect_refused_unchanged(
+      test, {"vertex 2", "4096 N", "native"},
+      [&] { return test.world().read_accelerations(cloth, out.data()); }, weft::Status::diverged);
+  expect_refused_unchanged(
+      test, {"vertex 2"}, [&] { return test.world().read_velocities(cloth, out.data()); },
+      weft::Status::diverged);
+  EXPECT_EQ(test.world().step(1e-3), weft::Status::diverged);
+}
+
 TEST(Fixed64Range, AHubDoesNotWrapIt) {
   NetworkParts hub;
   hub.positions = {{0, 0, 0}};

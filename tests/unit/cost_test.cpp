@@ -6,7 +6,7 @@ namespace weft::plan {
 namespace {
 
 EvaluationShape shape_of(bool grid, uint64_t edges, uint64_t entries) {
-  return {grid, false, Precision::float32, 1000, edges, entries};
+  return {grid, edges, entries};
 }
 
 TEST(Cost, GrowsWithSpringsAndPadding) {
@@ -28,7 +28,7 @@ TEST(Cost, PrefersScatterWhereASpringIsDear) {
 TEST(Cost, KnowsEveryInstructionLevelAndGpus) {
   for (const char* isa : {"v2", "v3", "v4", "-"}) {
     for (const Precision p : {Precision::float32, Precision::float64}) {
-      const EvaluationPrices price = coefficients_of(isa, p);
+      const EvaluationPrices price = prices_of(isa, p);
       EXPECT_GT(price.mesh_spring, 0) << isa;
       EXPECT_GT(price.edge, 0) << isa;
       EXPECT_GT(price.incident, 0) << isa;

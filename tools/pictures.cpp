@@ -1,5 +1,6 @@
 #include "pictures.h"
 
+#include "output.h"
 #include "read_surface.h"
 #include "stop_signal.h"
 
@@ -7,6 +8,7 @@
 
 #include "render/painter.h"
 #include "render/session.h"
+#include "render/sight.h"
 #include "render/video.h"
 
 #include <filesystem>
@@ -15,10 +17,28 @@
 namespace weft::tools {
 namespace {
 
-/// What will be seen, by running the scene once. What goes wrong in it will be told by the run.
-render::Framing rehearse(const io::Scene& scene, const io::Surface& start, FrameClock clock,
-                         const ContextDesc& desc) {
-  render::Framing framing(scene, start);
+/// What will be seen.
+struct Views {
+  Views(const io::Scene& scene, const io::Surface& start)
+      : framing(scene, start), reach(scene, start), sight(scene, framing) {
+    reach.add(start, 0);
+    sight.add(start);
+  }
+  void add(const io::Surface& surface, double time) {
+    framing.add(surface);
+    reach.add(surface, time);
+    sight.add(surface);
+  }
+
+  render::Framing framing;
+  render::Reach reach;
+  render::Sight sight;
+};
+
+/// By running the scene once. What goes wrong in it will be told by the run.
+Views rehearse(const io::Scene& scene, const io::Surface& start, FrameClock clock,
+               const ContextDesc& desc) {
+  Views views(scene, start);
   io::Simulation made = io::build(scene, desc);
   io::Surface surface = io::make_surface(scene, made);
   const uint64_t count = io::frame_count(scene.time, "$.time.duration");
@@ -26,16 +46,21 @@ render::Framing rehearse(const io::Scene& scene, const io::Surface& start, Frame
     if (made.world.step(scene.time.frame) != Status::ok) break;
     if (!clock.due(frame)) continue;
     read_surface(made, scene.file, surface);
-    framing.add(surface);
+    views.add(surface, double(frame) * scene.time.frame);
   }
-  return framing;
+  for (const std::string& problem : views.sight.problems()) {
+    print_message("warning: " + scene.file + ": " + problem);
+  }
+  return views;
 }
 
 class Pictures final : public FrameSink {
  public:
   Pictures(const PictureSettings& settings, const io::Scene& scene, const io::Surface& start,
-           const render::Framing& framing)
-      : folder_(settings.folder), png_(settings.png), painter_(scene, start, framing) {
+           const Views& views)
+      : folder_(settings.folder),
+        png_(settings.png),
+        painter_(scene, start, views.framing, views.reach) {
     if (!settings.mp4) return;
     const std::string name = std::filesystem::path(scene.file).stem().string() + ".mp4";
     video_.emplace((std::filesystem::path(folder_) / name).string(), scene.camera.width,
@@ -65,8 +90,8 @@ void require_pictures() { const render::Session session; }
 
 std::unique_ptr<FrameSink> make_pictures(const PictureSettings& settings, const io::Scene& scene,
                                          const io::Surface& start, const ContextDesc& desc) {
-  const render::Framing framing = rehearse(scene, start, settings.clock, desc);
-  return std::make_unique<Pictures>(settings, scene, start, framing);
+  const Views views = rehearse(scene, start, settings.clock, desc);
+  return std::make_unique<Pictures>(settings, scene, start, views);
 }
 
 }  // namespace weft::tools

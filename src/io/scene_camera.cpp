@@ -60,8 +60,10 @@ CameraScene read_camera(const Node& node) {
   read_up(node, camera);
   if (const auto key = node.find("field_of_view")) {
     camera.field_of_view = key->number(Sign::positive);
-    if (camera.field_of_view > 150)
-      key->out_of_range("an angle of view is below 150 degrees", "give less");
+    if (camera.field_of_view < least_degrees || camera.field_of_view > most_degrees) {
+      key->out_of_range("the height of a picture is 0.01 to 150 degrees",
+                        "give a number >= 0.01 and <= 150");
+    }
   }
   camera.width = read_pixels(node, "width", camera.width);
   camera.height = read_pixels(node, "height", camera.height);

@@ -26,10 +26,10 @@ Vector3d facing(const io::Surface& start, const Vector3d& up) {
 
 Axes axes_for(const io::Scene& scene, const io::Surface& start) {
   const io::CameraScene& camera = scene.camera;
-  const Vector3d up = camera.up ? vector(*camera.up).normalized() : up_of(scene);
+  const Vector3d sky = up_of(scene), up = camera.up ? vector(*camera.up).normalized() : sky;
   if (camera.eye) return axes_of(vector(*camera.eye) - vector(*camera.target), up);
-  const Vector3d ahead = facing(start, up);
-  return axes_of(ahead + 0.5 * up.cross(ahead) + 0.42 * up, up);
+  const Vector3d ahead = facing(start, sky);
+  return axes_of(ahead + 0.5 * sky.cross(ahead) + 0.42 * sky, up);
 }
 
 }  // namespace

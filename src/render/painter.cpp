@@ -5,7 +5,6 @@
 #include "render/solid_models.h"
 #include "render/stage.h"
 #include "render/targets.h"
-#include "render/weave.h"
 #include "render/weavings.h"
 
 #include <Eigen/Geometry>
@@ -14,11 +13,11 @@ namespace weft::render {
 
 /// The objects of OpenGL, in the order in which they are drawn.
 struct Painter::Parts {
-  Parts(const io::Scene& scene, const io::Surface& start, const Framing& framing)
+  Parts(const io::Scene& scene, const io::Surface& start, const Framing& framing,
+        const Reach& reach)
       : stage(make_stage(scene, framing)),
         canvas(scene.camera.width, scene.camera.height),
-        solids(
-            make_solids(scene, mean_spacing(start), stage.seen, ground_plane(scene, up_of(scene)))),
+        solids(make_solids(scene, reach.depths(), stage.seen, ground_plane(scene, up_of(scene)))),
         weavings(scene, start, stage),
         up(up_of(scene).cast<float>()) {
     Eigen::Vector3f across = stage.ground_normal.unitOrthogonal();
@@ -60,7 +59,9 @@ struct Painter::Parts {
     glDrawArrays(GL_TRIANGLES, 0, 3);
   }
 
+  // The ground hides nothing from below.
   void draw_ground() const {
+    if (!((stage.eye - stage.ground).dot(stage.ground_normal) > 0)) return;
     light(ground);
     ground.set("model", ground_model);
     ground.set("normal", stage.ground_normal);
@@ -93,8 +94,9 @@ struct Painter::Parts {
   Program blur{{screen_vertices}, {blur_fragments}};
 };
 
-Painter::Painter(const io::Scene& scene, const io::Surface& start, const Framing& framing)
-    : parts_(std::make_unique<Parts>(scene, start, framing)) {}
+Painter::Painter(const io::Scene& scene, const io::Surface& start, const Framing& framing,
+                 const Reach& reach)
+    : parts_(std::make_unique<Parts>(scene, start, framing, reach)) {}
 
 Painter::~Painter() = default;
 

@@ -3,6 +3,7 @@
 
 #include "render/framing.h"
 #include "render/image.h"
+#include "render/reach.h"
 
 #include <memory>
 
@@ -12,7 +13,7 @@ namespace weft::render {
 class Painter {
  public:
   /// `start`: the surface of the first picture, with normals. Keeps a reference to nothing.
-  Painter(const io::Scene&, const io::Surface& start, const Framing&);
+  Painter(const io::Scene&, const io::Surface& start, const Framing&, const Reach&);
   ~Painter();
 
   /// `surface`: as `start`, with new positions and normals; `time` in seconds places the colliders.

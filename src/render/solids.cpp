@@ -8,12 +8,6 @@
 namespace weft::render {
 namespace {
 
-Eigen::Matrix3d rotation(double3 axis, double degrees) {
-  const Vector3d v = vector(axis);
-  if (v.norm() == 0) return Eigen::Matrix3d::Identity();
-  return Eigen::AngleAxisd(degrees * std::numbers::pi / 180, v.normalized()).toRotationMatrix();
-}
-
 /// Columns: two directions across `axis`, and it.
 Eigen::Matrix3d frame_along(const Vector3d& axis) {
   Eigen::Matrix3d m;
@@ -58,22 +52,27 @@ struct Bounds {
 
 class Maker {
  public:
-  Maker(double spacing, const Box& region, Solids& out)
-      : spacing_(spacing), region_(region), out_(out) {}
+  Maker(const Box& region, Solids& out)
+      : region_(region), hair_(5e-4 * region.radius()), out_(out) {}
+
+  void make(const io::ColliderScene& collider, double reach) {
+    slack_ = reach + hair_;
+    std::visit(*this, collider);
+  }
 
   void operator()(const SphereDesc& d) { add_capsule(d.center, d.center, d.radius, d.velocity); }
   void operator()(const CapsuleDesc& d) { add_capsule(d.a, d.b, d.radius, d.velocity); }
   void operator()(const CylinderDesc& d) {
     const Vector3d a = vector(d.a), b = vector(d.b), half = 0.5 * (b - a);
     Eigen::Matrix3d axes = frame_along(half);
-    const double slack = rim_slack(std::min(d.radius, half.norm()));
+    const double slack = slack_within(std::min(d.radius, half.norm()));
     axes.leftCols<2>() *= d.radius - slack;
     axes.col(2) *= half.norm() - slack;
     out_.solids.push_back({Form::cylinder, axes, 0.5 * (a + b), vector(d.velocity)});
   }
   void operator()(const BoxDesc& d) {
     const Vector3d half = vector(d.half);
-    const Vector3d drawn = half - Vector3d::Constant(rim_slack(half.minCoeff()));
+    const Vector3d drawn = half - Vector3d::Constant(slack_within(half.minCoeff()));
     const Eigen::Matrix3d axes = rotation(d.axis, d.degrees) * drawn.asDiagonal();
     out_.solids.push_back({Form::box, axes, vector(d.center), vector(d.velocity)});
   }
@@ -82,7 +81,7 @@ class Maker {
     const double length = normal.norm();
     const Vector3d n = normal / length, middle = region_.center();
     const double radius = 1.2 * region_.radius();
-    const Vector3d foot = middle + n * (d.offset / length - n.dot(middle) - 0.1 * spacing_);
+    const Vector3d foot = middle + n * (d.offset / length - n.dot(middle) - hair_);
     out_.solids.push_back({Form::disc, frame_along(n) * radius, foot, vector(d.velocity)});
   }
   void operator()(const io::MeshColliderScene& d) {
@@ -92,16 +91,11 @@ class Maker {
   }
 
  private:
-  // A chord of length h over a circle of radius r reaches h^2/(8 r) into it; a triangle's middle,
-  // a third more.
-  double ball_slack(double radius) const {
-    return std::min(spacing_ * spacing_ / (4 * radius), 0.1 * radius);
-  }
-  // Over an edge, a chord of length h reaches h/2 deep where both sides have 45 degrees.
-  double rim_slack(double least) const { return std::min(0.5 * spacing_, 0.1 * least); }
+  double slack_within(double size) const { return std::min(slack_, 0.5 * size); }
 
   void add_capsule(double3 a, double3 b, double radius, double3 velocity) {
-    out_.capsules.push_back({vector(a), vector(b), radius - ball_slack(radius), vector(velocity)});
+    out_.capsules.push_back(
+        {vector(a), vector(b), radius - slack_within(radius), vector(velocity)});
   }
 
   // A collider mesh keeps cloth at a distance, so it is drawn as it is.
@@ -128,8 +122,9 @@ class Maker {
     return meshes_.size() - 1;
   }
 
-  double spacing_;
   const Box& region_;
+  double hair_;  ///< what keeps two surfaces apart in the depth buffer
+  double slack_ = 0;
   Solids& out_;
   std::vector<const io::Mesh*> meshes_;
 };
@@ -150,15 +145,21 @@ const PlaneDesc* ground_plane(const io::Scene& scene, const Vector3d& up) {
   return found;
 }
 
+Eigen::Matrix3d rotation(double3 axis, double degrees) {
+  const Vector3d v = vector(axis);
+  if (v.norm() == 0) return Eigen::Matrix3d::Identity();
+  return Eigen::AngleAxisd(degrees * std::numbers::pi / 180, v.normalized()).toRotationMatrix();
+}
+
 Box bounds_of(const io::ColliderScene& collider) { return std::visit(Bounds(), collider); }
 
-Solids make_solids(const io::Scene& scene, double spacing, const Box& region,
+Solids make_solids(const io::Scene& scene, const std::vector<double>& reach, const Box& region,
                    const PlaneDesc* ground) {
   Solids solids;
-  Maker maker(spacing, region, solids);
-  for (const io::ColliderScene& collider : scene.colliders) {
-    const auto* plane = std::get_if<PlaneDesc>(&collider);
-    if (!plane || plane != ground) std::visit(maker, collider);
+  Maker maker(region, solids);
+  for (size_t i = 0; i < scene.colliders.size(); ++i) {
+    const auto* plane = std::get_if<PlaneDesc>(&scene.colliders[i]);
+    if (!plane || plane != ground) maker.make(scene.colliders[i], reach[i]);
   }
   return solids;
 }

@@ -45,10 +45,14 @@ Box bounds_of(const io::ColliderScene&);
 /// The plane at rest that faces `up` the most, by 45 degrees at least; null when none does.
 const PlaneDesc* ground_plane(const io::Scene&, const Vector3d& up);
 
-/// Shapes that cloth touches are drawn smaller by what a triangle between three particles on their
-/// surface, `spacing` apart, may reach into them. Planes other than `ground` are drawn as discs of
-/// the size of `region`, around it.
-Solids make_solids(const io::Scene&, double spacing, const Box& region, const PlaneDesc* ground);
+/// Of a unit vector along `axis`; without a direction, none.
+Eigen::Matrix3d rotation(double3 axis, double degrees);
+
+/// Shapes are drawn smaller by `reach`, by collider, and by a hair, so that no triangle between
+/// particles on their surface is hidden; at least half of a shape is left. Planes other than
+/// `ground` are drawn as discs of the size of `region`, around it.
+Solids make_solids(const io::Scene&, const std::vector<double>& reach, const Box& region,
+                   const PlaneDesc* ground);
 
 /// For drawing capsules, with so many corners `around`: (x, y, w) of a unit half sphere's points
 /// around an axis, and on which end (0 or 1). Position and normal are one.

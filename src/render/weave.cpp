@@ -70,14 +70,4 @@ std::vector<std::array<uint32_t, 2>> bars(const io::Scene& scene, const io::Surf
   return out;
 }
 
-double mean_spacing(const io::Surface& surface) {
-  double sum = 0;
-  for (const auto& t : surface.triangles) {
-    const Vector3d a = vector(surface.positions[t[0]]), b = vector(surface.positions[t[1]]),
-                   c = vector(surface.positions[t[2]]);
-    sum += (a - b).norm() + (b - c).norm() + (c - a).norm();
-  }
-  return surface.triangles.empty() ? 0 : sum / (3 * double(surface.triangles.size()));
-}
-
 }  // namespace weft::render

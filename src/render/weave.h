@@ -21,7 +21,4 @@ std::vector<WeaveVertex> weave_vertices(const io::Scene&, const io::Surface& sta
 /// that nothing else shows is a bar from itself to itself.
 std::vector<std::array<uint32_t, 2>> bars(const io::Scene&, const io::Surface&);
 
-/// The mean length of the edges of the triangles; 0 without any.
-double mean_spacing(const io::Surface&);
-
 }  // namespace weft::render

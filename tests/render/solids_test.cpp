@@ -30,18 +30,28 @@ TEST(Solids, BoundsOfEachShape) {
   EXPECT_TRUE(bounds_of(PlaneDesc{}).empty());
 }
 
-TEST(Solids, AChordBetweenParticlesOnASphereStaysOutsideOfWhatIsDrawn) {
+TEST(Solids, ShapesGiveWayByTheirReachAndKeepHalf) {
   io::Scene scene;
   SphereDesc sphere;
   sphere.radius = 0.5;
-  scene.colliders = {sphere};
-  const double spacing = 0.1;
-  const Solids solids = make_solids(scene, spacing, Box{{-1, -1, -1}, {1, 1, 1}}, nullptr);
-  ASSERT_EQ(solids.capsules.size(), 1u);
-  // The middle of an equilateral triangle with corners on the sphere.
-  const double middle = std::sqrt(0.5 * 0.5 - spacing * spacing / 3);
-  EXPECT_LT(solids.capsules[0].radius, middle);
-  EXPECT_GT(solids.capsules[0].radius, 0.98 * 0.5);
+  BoxDesc box;
+  box.half = {0.5, 1, 2};
+  CylinderDesc cylinder;
+  cylinder.a = {0, -1, 0};
+  cylinder.b = {0, 1, 0};
+  cylinder.radius = 0.5;
+  scene.colliders = {sphere, box, cylinder};
+  const Box region{{-1, -1, -1}, {1, 1, 1}};
+  for (const double reach : {0.0, 0.1, 7.0}) {
+    const Solids solids = make_solids(scene, {reach, reach, reach}, region, nullptr);
+    const double slack = std::min(reach, 0.25), hair = 1e-3;
+    EXPECT_NEAR(solids.capsules[0].radius, 0.5 - slack, hair);
+    EXPECT_GE(solids.capsules[0].radius, 0.25);
+    EXPECT_NEAR(solids.solids[0].axes.col(2).norm(), 2 - slack, hair);
+    EXPECT_NEAR(solids.solids[0].axes.col(0).norm(), 0.5 - slack, hair);
+    EXPECT_NEAR(solids.solids[1].axes.col(0).norm(), 0.5 - slack, hair);
+    EXPECT_NEAR(solids.solids[1].axes.col(2).norm(), 1 - slack, hair);
+  }
 }
 
 TEST(Solids, TheGroundIsNotDrawnTwice) {
@@ -52,8 +62,8 @@ TEST(Solids, TheGroundIsNotDrawnTwice) {
   const PlaneDesc* ground = ground_plane(scene, Vector3d::UnitY());
   ASSERT_NE(ground, nullptr);
   const Box region{{-1, -1, -1}, {1, 1, 1}};
-  EXPECT_TRUE(make_solids(scene, 0.1, region, ground).solids.empty());
-  EXPECT_EQ(make_solids(scene, 0.1, region, nullptr).solids.size(), 1u);
+  EXPECT_TRUE(make_solids(scene, {0}, region, ground).solids.empty());
+  EXPECT_EQ(make_solids(scene, {0}, region, nullptr).solids.size(), 1u);
   EXPECT_EQ(ground_plane(scene, Vector3d::UnitX()), nullptr);
 }
 

@@ -1,0 +1,131 @@
+#include "render/reach.h"
+
+#include "render/box.h"
+#include "render/solids.h"
+#include "render/weave.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+
+namespace weft::render {
+namespace {
+
+struct Inside {
+  const Vector3d& point;  ///< where it was at the start, seen from the collider
+
+  Depth operator()(const SphereDesc& d) const {
+    return below(d.radius, point - vector(d.center));
+  }
+  Depth operator()(const CapsuleDesc& d) const {
+    const Vector3d a = vector(d.a), along = vector(d.b) - a;
+    const double length2 = along.squaredNorm();
+    const double t = length2 > 0 ? along.dot(point - a) / length2 : 0;
+    return below(d.radius, point - (a + std::clamp(t, 0.0, 1.0) * along));
+  }
+  Depth operator()(const CylinderDesc& d) const {
+    const Vector3d half = 0.5 * (vector(d.b) - vector(d.a)), axis = half.normalized();
+    const Vector3d from = point - vector(d.a) - half;
+    const double up = from.dot(axis);
+    const Depth side = below(d.radius, from - up * axis);
+    const double end = half.norm() - std::abs(up);
+    return side.value <= end ? side : Depth{end, up > 0 ? Vector3d(-axis) : axis};
+  }
+  Depth operator()(const BoxDesc& d) const {
+    const Eigen::Matrix3d turn = rotation(d.axis, d.degrees);
+    const Vector3d from = turn.transpose() * (point - vector(d.center));
+    Eigen::Index side = 0;
+    const double value = (vector(d.half) - from.cwiseAbs()).minCoeff(&side);
+    return {value, from[side] > 0 ? Vector3d(-turn.col(side)) : Vector3d(turn.col(side))};
+  }
+  Depth operator()(const PlaneDesc&) const { return {}; }
+  Depth operator()(const io::MeshColliderScene&) const { return {}; }
+
+ private:
+  static Depth below(double radius, const Vector3d& from) {
+    const double distance = from.norm();
+    return {radius - distance, distance > 0 ? Vector3d(-from / distance) : Vector3d::Zero()};
+  }
+};
+
+struct Velocity {
+  template <class Desc>
+  Vector3d operator()(const Desc& d) const {
+    return vector(d.velocity);
+  }
+};
+
+bool has_depth(const io::ColliderScene& collider) {
+  return !std::holds_alternative<PlaneDesc>(collider) &&
+         !std::holds_alternative<io::MeshColliderScene>(collider);
+}
+
+/// The deepest point of triangles, by branch and bound: a concave function lies below each of its
+/// tangents, and a tangent is highest at a corner.
+class Search {
+ public:
+  Search(const io::ColliderScene& collider, double time)
+      : moved_(std::visit(Velocity(), collider) * time),
+        collider_(collider),
+        tolerance_(1e-3 * bounds_of(collider).radius()) {}
+
+  double depth(const Vector3d& point) const { return at(point).value; }
+
+  /// The greater of `found` and what is the deepest in a triangle, or a little more.
+  double deepest(const std::array<Vector3d, 3>& t, double found, int levels = 8) const {
+    const Vector3d middle = (t[0] + t[1] + t[2]) / 3;
+    const Depth here = at(middle);
+    double most = -1e300;
+    for (const Vector3d& corner : t) {
+      most = std::max(most, here.value + here.slope.dot(corner - middle));
+    }
+    if (!(most > found)) return found;
+    if (most - here.value <= tolerance_ || levels == 0) return most;
+    const Vector3d a = 0.5 * (t[1] + t[2]), b = 0.5 * (t[2] + t[0]), c = 0.5 * (t[0] + t[1]);
+    found = deepest({a, b, c}, found, levels - 1);
+    found = deepest({t[0], c, b}, found, levels - 1);
+    found = deepest({t[1], a, c}, found, levels - 1);
+    return deepest({t[2], b, a}, found, levels - 1);
+  }
+
+ private:
+  Depth at(const Vector3d& point) const {
+    return std::visit(Inside{point - moved_}, collider_);
+  }
+
+  Vector3d moved_;
+  const io::ColliderScene& collider_;
+  double tolerance_;
+};
+
+}  // namespace
+
+std::optional<Depth> depth_in(const io::ColliderScene& collider, double time,
+                              const Vector3d& point) {
+  if (!has_depth(collider)) return std::nullopt;
+  return std::visit(Inside{point - std::visit(Velocity(), collider) * time}, collider);
+}
+
+Reach::Reach(const io::Scene& scene, const io::Surface& start)
+    : scene_(scene), bars_(bars(scene, start)), depths_(scene.colliders.size(), 0) {}
+
+void Reach::add(const io::Surface& surface, double time) {
+  std::vector<double> own(surface.positions.size());
+  for (size_t i = 0; i < depths_.size(); ++i) {
+    if (!has_depth(scene_.colliders[i])) continue;
+    const Search search(scene_.colliders[i], time);
+    for (size_t v = 0; v < own.size(); ++v) {
+      own[v] = std::max(0.0, search.depth(vector(surface.positions[v])));
+    }
+    double& depth = depths_[i];
+    const auto add = [&](uint32_t a, uint32_t b, uint32_t c) {
+      const auto& x = surface.positions;
+      const double corner = std::max({own[a], own[b], own[c]});
+      depth = search.deepest({vector(x[a]), vector(x[b]), vector(x[c])}, depth + corner) - corner;
+    };
+    for (const auto& t : surface.triangles) add(t[0], t[1], t[2]);
+    for (const auto& bar : bars_) add(bar[0], bar[1], bar[1]);
+  }
+}
+
+}  // namespace weft::render

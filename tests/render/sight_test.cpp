@@ -1,0 +1,79 @@
+#include "render/sight.h"
+#include "render/stage.h"
+
+#include <gtest/gtest.h>
+
+namespace weft::render::test {
+namespace {
+
+/// A square metre at z = 0.
+io::Surface square() {
+  io::Surface surface;
+  surface.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}};
+  surface.triangles = {{0, 1, 2}, {1, 3, 2}};
+  return surface;
+}
+
+io::Scene scene_from(double3 eye, double3 target) {
+  io::Scene scene;
+  scene.cloths.emplace_back();
+  scene.camera.eye = eye;
+  scene.camera.target = target;
+  return scene;
+}
+
+std::vector<std::string> problems_of(const io::Scene& scene) {
+  const io::Surface surface = square();
+  Sight sight(scene, Framing(scene, surface));
+  sight.add(surface);
+  return sight.problems();
+}
+
+TEST(Sight, IsContentWithViewsThatShowCloth) {
+  EXPECT_TRUE(problems_of(scene_from({0.5, 0.5, 3}, {0.5, 0.5, 0})).empty());
+  EXPECT_TRUE(problems_of(scene_from({0.5, 0.5, 0.01}, {0.5, 0.5, 0})).empty())
+      << "no corner is in view, but what lies between them";
+  io::Scene automatic = scene_from({}, {});
+  automatic.camera.eye = automatic.camera.target = std::nullopt;
+  EXPECT_TRUE(problems_of(automatic).empty());
+}
+
+TEST(Sight, TellsOfViewsThatShowNone) {
+  const auto away = problems_of(scene_from({0.5, 0.5, 3}, {0.5, 0.5, 6}));
+  ASSERT_EQ(away.size(), 1u);
+  EXPECT_NE(away[0].find("no cloth is in any picture"), std::string::npos);
+  const auto aside = problems_of(scene_from({20, 0.5, 3}, {20, 0.5, 0}));
+  ASSERT_EQ(aside.size(), 1u);
+  for (const double distance : {1e4, 1e30, 1e150}) {
+    const auto far = problems_of(scene_from({0.5, 0.5, distance}, {0.5, 0.5, 0}));
+    ASSERT_EQ(far.size(), 1u) << distance;
+    EXPECT_NE(far[0].find("less than 2 pixels"), std::string::npos) << far[0];
+  }
+}
+
+TEST(Sight, TellsOfAnEyeInsideOfACollider) {
+  io::Scene scene = scene_from({0.5, 0.5, 3}, {0.5, 0.5, 0});
+  SphereDesc sphere;
+  sphere.center = {0.5, 0.5, 3.2};
+  sphere.radius = 0.5;
+  scene.colliders = {PlaneDesc{}, sphere};
+  const auto inside = problems_of(scene);
+  ASSERT_EQ(inside.size(), 1u);
+  EXPECT_EQ(inside[0].find("$.camera.eye: is inside of $.colliders[1]"), 0u) << inside[0];
+}
+
+TEST(Sight, AnUprightThatIsNotUpTurnsThePictureAndNotTheView) {
+  io::Scene scene = scene_from({}, {});
+  scene.camera.eye = scene.camera.target = std::nullopt;
+  const io::Surface surface = square();
+  const Axes plain = Framing(scene, surface).axes();
+  for (const double3 up : {double3{0, -1, 0}, double3{1, 0, 0}, double3{0, 0, 1}}) {
+    scene.camera.up = up;
+    const Axes axes = Framing(scene, surface).axes();
+    EXPECT_LT((axes.back - plain.back).norm(), 1e-12) << "from the same side of the ground";
+    EXPECT_GT(axes.up.dot(vector(up)), 0);
+  }
+}
+
+}  // namespace
+}  // namespace weft::render::test

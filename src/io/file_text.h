@@ -14,15 +14,17 @@ class FileText {
  public:
   FileText(std::unique_ptr<char[]> bytes, size_t size) : bytes_(std::move(bytes)), size_(size) {}
   std::string_view view() const { return {bytes_.get(), size_}; }
+  char* begin() { return bytes_.get(); }
+  char* end() { return bytes_.get() + size_; }
 
  private:
   std::unique_ptr<char[]> bytes_;
   size_t size_;
 };
 
-/// Bytes. A mesh or point cache takes up to three times its file, so its file may take a quarter of
-/// this machine's memory. A JSON document takes up to 27 times its text: at most 256 MiB, and
-/// a thirty-second of the memory.
+/// Bytes. The file of a mesh or point cache may take a quarter of this machine's memory, and what
+/// is made of it, another quarter. A JSON document takes up to 27 times its text: at most 256 MiB,
+/// and a thirty-second of the memory.
 uint64_t largest_mesh_file();
 uint64_t largest_scene_file();
 

@@ -5,6 +5,7 @@
 #include "io/polygon.h"
 #include "io/text_cursor.h"
 
+#include <algorithm>
 #include <array>
 #include <cstring>
 
@@ -18,11 +19,13 @@ constexpr std::array<std::string_view, 24> skipped_keywords{
 
 class ObjReader {
  public:
-  ObjReader(std::string_view text, const std::string& name) : text_(text), name_(name) {}
+  ObjReader(std::string_view text, const std::string& name, uint64_t most_bytes)
+      : text_(text), name_(name), most_bytes_(most_bytes), memory_(most_bytes, text.size()) {}
 
   Mesh read() {
-    reserve();
-    Cursor cursor(text_.substr(0, 3) == "\xEF\xBB\xBF" ? text_.substr(3) : text_);
+    const Cursor begin(text_.substr(0, 3) == "\xEF\xBB\xBF" ? text_.substr(3) : text_);
+    reserve(begin);
+    Cursor cursor = begin;
     while (cursor.at < cursor.end) {
       line_ = cursor.at;
       read_line(next_logical_line(cursor));
@@ -37,19 +40,25 @@ class ObjReader {
     throw InputError(name_ + ": line " + std::to_string(number) + ": " + problem);
   }
   [[noreturn]] void fail(const std::string& problem) const { fail_at(line_, problem); }
+  void require_room(bool there_is) const {
+    if (there_is) return;
+    fail("the mesh does not fit from here on (reading may take " + std::to_string(most_bytes_) +
+         " bytes on this machine) give a smaller file");
+  }
 
   // A first pass over the line starts is cheap, and growing vectors would need twice the memory.
-  void reserve() {
-    size_t vertices = 0, faces = 0;
-    Cursor cursor(text_);
+  void reserve(Cursor cursor) {
+    size_t faces = 0;
+    line_ = cursor.at;
     while (cursor.at < cursor.end) {
-      const std::string_view line = next_line(cursor);
-      if (line.size() < 2 || !is_blank(line[1])) continue;
-      vertices += line[0] == 'v';
-      faces += line[0] == 'f';
+      Cursor line(next_line(cursor));
+      skip_blanks(line);
+      if (line.end - line.at < 2 || !(is_blank(line.at[1]) || line.at[1] == '\\')) continue;
+      most_vertices_ += line.at[0] == 'v';
+      faces += line.at[0] == 'f';
     }
-    mesh_.positions.reserve(vertices);
-    mesh_.triangles.reserve(3 * faces);
+    require_room(memory_.make_room(mesh_.positions, most_vertices_) &&
+                 memory_.make_room(mesh_.triangles, 3 * faces));
   }
 
   // Joins lines that end with a backslash; comments do not continue (they hold Windows paths).
@@ -58,9 +67,11 @@ class ObjReader {
     if (line.empty() || line.back() != '\\' || line.front() == '#') return line;
     joined_.clear();
     while (!line.empty() && line.back() == '\\') {
+      require_room(memory_.make_room(joined_, line.size() + 1));
       joined_.append(line.substr(0, line.size() - 1)) += ' ';
       line = without_return(next_line(cursor));
     }
+    require_room(memory_.make_room(joined_, line.size()));
     joined_.append(line);
     return joined_;
   }
@@ -101,6 +112,7 @@ class ObjReader {
     for (double ignored = 0; !at_end(cursor) && *cursor.at != '#';) {
       read_coordinate(cursor, "an extra value", ignored);
     }
+    require_room(memory_.make_room(mesh_.positions, 1));
     mesh_.positions.push_back(position);
   }
 
@@ -113,12 +125,19 @@ class ObjReader {
 
   void read_face(Cursor& cursor) {
     polygon_.clear();
-    while (!at_end(cursor) && *cursor.at != '#') polygon_.push_back(next_corner(cursor));
+    while (!at_end(cursor) && *cursor.at != '#') {
+      require_room(memory_.make_room(polygon_, 1));
+      polygon_.push_back(next_corner(cursor));
+      if (polygon_.size() > std::max<size_t>(most_vertices_, 3)) {
+        fail("the face has more than " + std::to_string(most_vertices_) +
+             " vertices (the file has no more, so that it names one twice) correct it");
+      }
+    }
     if (polygon_.size() < 3) {
       fail("the face has " + std::to_string(polygon_.size()) +
            " vertices (a face needs at least three) correct or remove it");
     }
-    append_fan(polygon_, mesh_.triangles);
+    require_room(append_fan(polygon_, mesh_.triangles, memory_));
     if (const uint32_t* twice = repeated_vertex(polygon_)) {
       fail("the face names vertex " + std::to_string(*twice + 1) +
            " twice (its triangles would overlap) remove one of the two");
@@ -187,20 +206,23 @@ class ObjReader {
 
   std::string_view text_;
   const std::string& name_;
+  uint64_t most_bytes_;
+  MemoryLimit memory_;
   Mesh mesh_;
   const char* line_ = nullptr;
   std::string joined_;
   std::vector<uint32_t> polygon_;
   uint64_t highest_ = 0;
   const char* highest_line_ = nullptr;
+  size_t most_vertices_ = 0;  ///< lines that may be a vertex
   size_t unknown_lines_ = 0;
   std::string first_unknown_;
 };
 
 }  // namespace
 
-Mesh read_obj(std::string_view text, const std::string& name) {
-  return ObjReader(text, name).read();
+Mesh read_obj(std::string_view text, const std::string& name, uint64_t most_bytes) {
+  return ObjReader(text, name, most_bytes).read();
 }
 
 }  // namespace weft::io

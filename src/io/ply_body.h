@@ -41,6 +41,11 @@ class PlyTextBody {
   }
 
   uint64_t bytes_left() const { return uint64_t(body_.end - body_.at) + 1; }
+  /// What follows the records, empty lines left out.
+  uint64_t spare_bytes() {
+    while (body_.at < body_.end && (is_blank(*body_.at) || *body_.at == '\n')) ++body_.at;
+    return uint64_t(body_.end - body_.at);
+  }
   /// An upper bound for the values that the record at hand still holds.
   uint64_t values_left(PlyType) const { return uint64_t(line_.end - line_.at); }
   const std::string& fault() const { return fault_; }
@@ -105,6 +110,7 @@ class PlyBinaryBody {
   bool end_record() { return true; }
 
   uint64_t bytes_left() const { return uint64_t(body_.end - body_.at); }
+  uint64_t spare_bytes() const { return bytes_left(); }
   uint64_t values_left(PlyType type) const { return bytes_left() / size_of(type); }
   const std::string& fault() const { return fault_; }
   const char* position() const { return body_.at; }

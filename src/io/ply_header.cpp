@@ -57,7 +57,7 @@ class HeaderReader {
   }
 
  private:
-  [[noreturn]] void fail(const std::string& problem, const char* remedy) const {
+  [[noreturn]] void fail(const std::string& problem, const std::string& remedy) const {
     throw InputError(name_ + ": line " + std::to_string(line_) + ": " + problem + " " + remedy);
   }
 
@@ -67,7 +67,7 @@ class HeaderReader {
   }
 
   void read_line(std::string_view keyword, Cursor& line) {
-    if (keyword == "format") return read_format(next_word(line));
+    if (keyword == "format") return read_format(line);
     if (keyword == "element") return read_element(line);
     if (keyword == "property") return read_property(line);
     if (keyword.empty() || keyword == "comment" || keyword == "obj_info") return;
@@ -82,8 +82,9 @@ class HeaderReader {
     }
   }
 
-  void read_format(std::string_view word) {
+  void read_format(Cursor& line) {
     has_format_ = true;
+    const std::string_view word = next_word(line);
     if (word == "ascii")
       header_.format = PlyFormat::ascii;
     else if (word == "binary_little_endian")
@@ -95,6 +96,10 @@ class HeaderReader {
                " is unknown (ascii, binary_little_endian or "
                "binary_big_endian)",
            "correct it");
+    const std::string_view version = next_word(line);
+    if (version != "1.0")
+      fail("version " + quoted(version) + " of the format is unknown (1.0 is the only one)",
+           "write 'format " + std::string(word) + " 1.0'");
   }
 
   void read_element(Cursor& line) {
@@ -147,7 +152,10 @@ class HeaderReader {
     property.name = next_word(line);
     if (property.name.empty())
       fail("a property has no name (x, y and z are found by it)", "write 'property TYPE NAME'");
-    header_.elements.back().properties.push_back(std::move(property));
+    std::vector<PlyProperty>& properties = header_.elements.back().properties;
+    if (properties.size() == 1000)
+      fail("the element has more than 1000 properties (no mesh has them)", "give a simpler file");
+    properties.push_back(std::move(property));
   }
 
   void finish() const {

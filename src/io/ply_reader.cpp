@@ -12,8 +12,14 @@ namespace {
 template <class Body>
 class PlyReader {
  public:
-  PlyReader(const PlyHeader& header, Body body, std::string_view text, const std::string& name)
-      : header_(header), body_(std::move(body)), text_(text), name_(name) {}
+  PlyReader(const PlyHeader& header, Body body, std::string_view text, const std::string& name,
+            uint64_t most_bytes)
+      : header_(header),
+        body_(std::move(body)),
+        text_(text),
+        name_(name),
+        most_bytes_(most_bytes),
+        memory_(most_bytes, text.size()) {}
 
   Mesh read() {
     for (const PlyElement& element : header_.elements) {
@@ -25,6 +31,11 @@ class PlyReader {
         read_faces();
       else
         skip_element();
+    }
+    if (const uint64_t left = body_.spare_bytes()) {
+      mesh_.warnings.push_back(std::to_string(left) +
+                               " bytes behind the last element were skipped (the header does not "
+                               "declare them)");
     }
     return std::move(mesh_);
   }
@@ -39,6 +50,11 @@ class PlyReader {
     }
     throw InputError(where + shown(element_->name) + " " + std::to_string(record_) + ": " +
                      problem);
+  }
+  void require_room(bool there_is) const {
+    if (there_is) return;
+    fail("the mesh does not fit from here on (reading may take " + std::to_string(most_bytes_) +
+         " bytes on this machine) give a smaller file");
   }
   void require(bool done, const PlyProperty& property) const {
     if (!done) fail(shown(property.name) + ": " + body_.fault());
@@ -63,7 +79,8 @@ class PlyReader {
                          "' (positions need three) add it");
       }
     }
-    mesh_.positions.reserve(size_t(element.count));
+    record_ = 0;
+    require_room(memory_.make_room(mesh_.positions, element.count));
     for (record_ = 0; record_ < element.count; ++record_) {
       begin();
       double values[3] = {};
@@ -103,7 +120,8 @@ class PlyReader {
       const size_t corner = text ? 2 : size_of(element.properties[indices].type);
       check_size(element.least_bytes(header_.format) + 3 * corner);
     }
-    mesh_.triangles.reserve(3 * size_t(element.count));
+    record_ = 0;
+    require_room(memory_.make_room(mesh_.triangles, 3 * element.count));
     for (record_ = 0; record_ < element.count; ++record_) {
       begin();
       for (size_t p = 0; p < element.properties.size(); ++p) {
@@ -122,22 +140,31 @@ class PlyReader {
       fail("the face has " + std::to_string(corners) +
            " vertices (a face needs at least three) correct or remove it");
     }
+    if (corners > 3 && corners > vertex_count()) {
+      fail("the face has " + std::to_string(corners) + " vertices (the file has " +
+           std::to_string(vertex_count()) + ", so that it names one twice) correct it");
+    }
     polygon_.clear();
+    require_room(memory_.make_room(polygon_, corners));
     for (uint64_t k = 0; k < corners; ++k) {
       int64_t index = 0;
       require(body_.next_integer(property.type, index), property);
       polygon_.push_back(checked_index(index));
     }
-    append_fan(polygon_, mesh_.triangles);
+    require_room(append_fan(polygon_, mesh_.triangles, memory_));
     if (const uint32_t* twice = repeated_vertex(polygon_)) {
       fail("the face names vertex " + std::to_string(*twice) +
            " twice (its triangles would overlap) remove one of the two");
     }
   }
 
-  uint32_t checked_index(int64_t index) const {
+  uint64_t vertex_count() const {
     const PlyElement* vertices = header_.find("vertex");
-    const uint64_t count = vertices ? vertices->count : 0;
+    return vertices ? vertices->count : 0;
+  }
+
+  uint32_t checked_index(int64_t index) const {
+    const uint64_t count = vertex_count();
     if (index < 0 || uint64_t(index) >= count || index > int64_t(UINT32_MAX)) {
       fail("vertex index " + std::to_string(index) + " is out of range (the file has " +
            std::to_string(count) + " vertices; indices start at 0) correct it");
@@ -184,6 +211,8 @@ class PlyReader {
   Body body_;
   std::string_view text_;
   const std::string& name_;
+  uint64_t most_bytes_;
+  MemoryLimit memory_;
   Mesh mesh_;
   const PlyElement* element_ = nullptr;
   uint64_t record_ = 0;
@@ -192,7 +221,7 @@ class PlyReader {
 
 }  // namespace
 
-Mesh read_ply(std::string_view text, const std::string& name) {
+Mesh read_ply(std::string_view text, const std::string& name, uint64_t most_bytes) {
   const PlyHeader header = read_ply_header(text, name);
   const PlyElement* vertices = header.find("vertex");
   if (!vertices || vertices->count == 0) {
@@ -201,9 +230,9 @@ Mesh read_ply(std::string_view text, const std::string& name) {
   }
   const std::string_view body = text.substr(header.body);
   Mesh mesh = header.format == PlyFormat::ascii
-                  ? PlyReader(header, PlyTextBody(body), text, name).read()
+                  ? PlyReader(header, PlyTextBody(body), text, name, most_bytes).read()
                   : PlyReader(header, PlyBinaryBody(body, header.format == PlyFormat::big_endian),
-                              text, name)
+                              text, name, most_bytes)
                         .read();
   mesh.warnings.insert(mesh.warnings.begin(), header.warnings.begin(), header.warnings.end());
   return mesh;

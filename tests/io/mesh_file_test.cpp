@@ -44,6 +44,43 @@ TEST(MeshFile, RefusesAFileLargerThanMemory) {
   EXPECT_CONTAINS(error(path), "8796093022208 bytes");
 }
 
+TEST(MeshFile, ReadsLinesThatEndWithACarriageReturn) {
+  const TemporaryFolder folder;
+  EXPECT_EQ(read_mesh(folder.write("old.obj", "v 1 2 3\rv 4 5 6\r")).positions.size(), 2u);
+  const std::string ply =
+      "ply\rformat ascii 1.0\relement vertex 1\rproperty float x\r"
+      "property float y\rproperty float z\rend_header\r1 2 3\r";
+  EXPECT_EQ(read_mesh(folder.write("old.ply", ply)).positions[0].z, 3);
+  EXPECT_CONTAINS(error(folder.write("bad.obj", "v 1 2 3\rv 4 5\r")), "line 2");
+}
+
+// Limits that a test can reach instead of half of the machine's memory.
+TEST(MeshFile, TakesNoMoreMemoryThanItMay) {
+  const std::string vertices = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\n";
+  const size_t need = vertices.size() + 4 * sizeof(double3);
+  EXPECT_EQ(read_obj(vertices, "m.obj", need).positions.size(), 4u);
+  EXPECT_CONTAINS(input_error([&] { read_obj(vertices, "m.obj", need - 1); }),
+                  "m.obj: line 1: the mesh does not fit from here on (reading may take ");
+  const std::string fan = vertices + "f 1 2 3 4\n";
+  EXPECT_EQ(read_obj(fan, "m.obj", 4096).triangles.size(), 6u);
+  EXPECT_CONTAINS(input_error([&] { read_obj(fan, "m.obj", need + 30); }), "m.obj: line ");
+  const std::string joined = vertices + "f 1 2 \\\n" + std::string(9000, ' ') + "3\n";
+  EXPECT_CONTAINS(input_error([&] { read_obj(joined, "m.obj", joined.size() + 4000); }),
+                  "does not fit");
+  EXPECT_EQ(read_obj(joined, "m.obj", joined.size() + 40000).triangles.size(), 3u);
+
+  std::string ply =
+      "ply\nformat binary_little_endian 1.0\nelement vertex 100\nproperty char x\n"
+      "property char y\nproperty char z\nelement face 1\n"
+      "property list uchar uchar vertex_indices\nend_header\n" +
+      std::string(300, '\1') + "\4" + std::string("\0\1\2\3", 4);
+  EXPECT_EQ(read_ply(ply, "m.ply", 8192).triangles.size(), 6u);
+  EXPECT_CONTAINS(input_error([&] { read_ply(ply, "m.ply", ply.size() + 2399); }),
+                  "m.ply: vertex 0: the mesh does not fit from here on");
+  EXPECT_CONTAINS(input_error([&] { read_ply(ply, "m.ply", ply.size() + 2420); }),
+                  "m.ply: face 0: the mesh does not fit from here on");
+}
+
 TEST(MeshFile, RandomBytesAreRefused) {
   std::mt19937 random(8);
   const std::string starts[] = {
@@ -56,7 +93,7 @@ TEST(MeshFile, RandomBytesAreRefused) {
     for (auto i = random() % 400; i > 0; --i) text += char(random());
     const auto read = round % 4 < 2 ? read_obj : read_ply;
     try {
-      const Mesh mesh = read(text, "random");
+      const Mesh mesh = read(text, "random", largest_mesh_memory());
       for (const uint32_t v : mesh.triangles) ASSERT_LT(v, mesh.positions.size());
     } catch (const InputError&) {
     }
@@ -77,7 +114,7 @@ TEST(MeshFile, DamagedMeshesAreReadOrRefused) {
     std::string text = round % 2 ? obj : ply;
     for (auto k = 1 + random() % 3; k > 0; --k) text[random() % text.size()] = char(random());
     try {
-      const Mesh mesh = (round % 2 ? read_obj : read_ply)(text, "damaged");
+      const Mesh mesh = (round % 2 ? read_obj : read_ply)(text, "damaged", largest_mesh_memory());
       for (const uint32_t v : mesh.triangles) ASSERT_LT(v, mesh.positions.size());
     } catch (const InputError&) {
     }

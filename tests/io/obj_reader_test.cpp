@@ -45,6 +45,12 @@ TEST(ObjReader, AcceptsFacesBeforeTheirVertices) {
   EXPECT_EQ(read("f 1 2 3\n" + triangle).triangles, (Indices{0, 1, 2}));
 }
 
+TEST(ObjReader, CountsVerticesInEveryFormOfLine) {
+  const Mesh mesh = read("\xEF\xBB\xBFv 0 0 0\n  v 1 0 0\nv\\\n 1 1 0\n\tv\t0 1 0\nf 1 2 3 4\n");
+  EXPECT_EQ(mesh.positions.size(), 4u);
+  EXPECT_EQ(mesh.triangles.size(), 6u);
+}
+
 TEST(ObjReader, JoinsContinuedLines) {
   const Mesh mesh = read("v 1 \\\n 2 \\\r\n 3\nv 0 0 0\nv 1 1 1\nf 1 \\\n2 3");
   EXPECT_EQ(mesh.positions[0].z, 3);
@@ -101,6 +107,8 @@ TEST(ObjReader, NamesLineAndValueOfBadFaces) {
   EXPECT_CONTAINS(error(triangle + "f 1 2 3/a\n"), "'3/a'");
   EXPECT_CONTAINS(error(triangle + "f 1 2 3/1/1/1\n"), "'3/1/1/1'");
   EXPECT_CONTAINS(error(triangle + "v 1 1 0\nf 1 2 3 2\n"), "names vertex 2 twice");
+  EXPECT_CONTAINS(error(triangle + "f 1 2 3 1\n"),
+                  "line 4: the face has more than 3 vertices (the file has no more");
 }
 
 TEST(ObjReader, RefusesWhatIsNotObj) {

@@ -106,6 +106,17 @@ TEST(PlyReader, SkipsUnknownHeaderLinesWithAWarning) {
   EXPECT_CONTAINS(mesh.warnings[0], "'Created'");
 }
 
+TEST(PlyReader, WarnsOfWhatFollowsTheLastElement) {
+  const std::string whole = header("ascii", 3, 1) + three + "3 0 1 2\n";
+  EXPECT_TRUE(read(whole + " \n\r\n").warnings.empty());
+  const Mesh text = read(whole + "\nmore\n");
+  ASSERT_EQ(text.warnings.size(), 1u);
+  EXPECT_CONTAINS(text.warnings[0], "5 bytes behind the last element were skipped");
+  const Mesh binary = read(all_types(true) + "xyz");
+  ASSERT_EQ(binary.warnings.size(), 1u);
+  EXPECT_CONTAINS(binary.warnings[0], "3 bytes");
+}
+
 TEST(PlyReader, AcceptsAPointCloud) {
   EXPECT_TRUE(read("ply\nformat ascii 1.0\nelement vertex 1\n" + xyz + "end_header\n1 2 3\n")
                   .triangles.empty());
@@ -135,7 +146,10 @@ TEST(PlyReader, NamesLineElementAndValue) {
   EXPECT_CONTAINS(error(header("ascii", 3, 1) + three + "3 0 -1 2\n"), "vertex index -1");
   EXPECT_CONTAINS(error(header("ascii", 3, 1) + three + "2 0 1 2\n"), "the face has 2 vertices");
   EXPECT_CONTAINS(error(header("ascii", 3, 1) + three + "3 0 1 x\n"), "'x' is not a number");
-  EXPECT_CONTAINS(error(header("ascii", 3, 1) + three + "4 0 1 2 1\n"), "names vertex 1 twice");
+  EXPECT_CONTAINS(error(header("ascii", 4, 1) + three + "1 1 0\n4 0 1 2 1\n"),
+                  "names vertex 1 twice");
+  EXPECT_CONTAINS(error(header("ascii", 3, 1) + three + "4 0 1 2 1\n"),
+                  "the face has 4 vertices (the file has 3, so that it names one twice)");
   std::string text = header("binary_big_endian", 1, 0);
   put(text, 0.0f, true);
   put(text, std::numeric_limits<float>::infinity(), true);
@@ -151,6 +165,12 @@ TEST(PlyReader, RefusesBadHeaders) {
   EXPECT_CONTAINS(error(start + "end_header\n"), "has no vertices");
   EXPECT_CONTAINS(error("ply\nelement vertex 1\n" + xyz + "end_header\n1 2 3\n"), "no format line");
   EXPECT_CONTAINS(error("ply\nformat binary 1.0\n"), "line 2: format 'binary' is unknown");
+  EXPECT_CONTAINS(error("ply\nformat ascii 7.3\n"),
+                  "line 2: version '7.3' of the format is unknown");
+  EXPECT_CONTAINS(error("ply\nformat ascii\n"), "line 2: version '' of the format is unknown");
+  std::string properties = start + "element vertex 1\n";
+  for (int i = 0; i < 1001; ++i) properties += "property char p" + std::to_string(i) + "\n";
+  EXPECT_CONTAINS(error(properties), "line 1004: the element has more than 1000 properties");
   EXPECT_CONTAINS(error(start + "element vertex -1\n"), "the count '-1'");
   EXPECT_CONTAINS(error(start + "element vertex many\n"), "the count 'many'");
   const std::string wrong = error(start + "element vertex 1\n" + xyz + "property float " +

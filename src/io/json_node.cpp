@@ -98,15 +98,29 @@ double Node::number(Sign sign) const {
   return value;
 }
 
-int64_t Node::integer(int64_t least, int64_t most, const char* why) const {
+// 640.0 and 1e3 are integers, too; a number that no int64 holds is none that is asked for.
+std::optional<int64_t> Node::whole() const {
+  if (value_->is_number_float()) {
+    const double value = value_->get<double>();
+    if (value != std::floor(value)) wrong_type("an integer");
+    constexpr double most = 9007199254740992.0;  // beyond it a double is not one integer
+    if (std::abs(value) > most) return std::nullopt;
+    return int64_t(value);
+  }
   if (!value_->is_number_integer()) wrong_type("an integer");
+  if (value_->is_number_unsigned() && value_->get<uint64_t>() > uint64_t(INT64_MAX)) {
+    return std::nullopt;
+  }
+  return value_->get<int64_t>();
+}
+
+int64_t Node::integer(int64_t least, int64_t most, const char* why) const {
   const std::string upper = most == INT64_MAX ? "" : " and <= " + std::to_string(most);
-  const bool large = value_->is_number_unsigned() && value_->get<uint64_t>() > uint64_t(INT64_MAX);
-  const int64_t value = large ? INT64_MAX : value_->get<int64_t>();
-  if (large || value < least || value > most) {
+  const std::optional<int64_t> value = whole();
+  if (!value || *value < least || *value > most) {
     out_of_range(why, "give an integer >= " + std::to_string(least) + upper);
   }
-  return value;
+  return *value;
 }
 
 bool Node::boolean() const {
@@ -127,13 +141,12 @@ double3 Node::vector() const {
 }
 
 uint32_t Node::index(uint64_t count, const char* what) const {
-  if (!value_->is_number_integer()) wrong_type("an integer");
-  const bool negative = !value_->is_number_unsigned() && value_->get<int64_t>() < 0;
-  if (negative || value_->get<uint64_t>() >= count) {
+  const std::optional<int64_t> value = whole();
+  if (!value || *value < 0 || uint64_t(*value) >= count) {
     out_of_range("there are " + std::to_string(count) + " " + what,
                  "give an integer >= 0 and < " + std::to_string(count));
   }
-  return uint32_t(value_->get<uint64_t>());
+  return uint32_t(*value);
 }
 
 }  // namespace weft::io

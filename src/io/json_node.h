@@ -25,7 +25,6 @@ class Node {
   /// The value in at most 60 characters.
   std::string value_text() const;
   bool is_number() const { return value_->is_number(); }
-  bool is_integer() const { return value_->is_number_integer(); }
   bool is_object() const { return value_->is_object(); }
   bool is_string() const { return value_->is_string(); }
   bool is_null() const { return value_->is_null(); }
@@ -72,6 +71,8 @@ class Node {
   Node(const Json& value, const Node& parent, const char* key, size_t index)
       : value_(&value), parent_(&parent), key_(key), index_(index) {}
   [[noreturn]] void wrong_type(const char* needed) const;
+  /// Nothing when it is an integer that no int64 holds.
+  std::optional<int64_t> whole() const;
 
   const Json* value_;
   const Node* parent_ = nullptr;

@@ -12,18 +12,42 @@ static double distance(const double3& a, const double3& b) {
   return std::sqrt(x * x + y * y + z * z);
 }
 
-static void add_spring(const EnergyInput& in, uint32_t i, uint32_t j, double stiffness, double rest,
-                       Energies& sum) {
+namespace {
+
+struct Lengthening {
+  double rest, longer;  // m
+  double strain() const { return rest > 0 ? longer / rest : 0; }
+};
+
+Lengthening lengthening(const EnergyInput& in, uint32_t i, uint32_t j, double rest) {
   const double l0 = rest >= 0 ? rest : distance(in.rest_shape[i], in.rest_shape[j]);
-  const double longer = distance(in.x[i], in.x[j]) - l0;
-  sum.elastic += 0.5 * stiffness * longer * longer;
-  if (l0 > 0) sum.stretch = std::max(sum.stretch, longer / l0);
+  return {l0, distance(in.x[i], in.x[j]) - l0};
 }
+
+double largest_edge_strain(const EnergyInput& in) {
+  const Array<uint32_t>& corners = in.fabric.triangles;
+  double most = 0;
+  for (size_t t = 0; t < corners.size(); t += 3) {
+    for (size_t k = 0; k < 3; ++k) {
+      const uint32_t i = corners[t + k], j = corners[t + (k + 1) % 3];
+      most = std::max(most, lengthening(in, i, j, in.fabric.rest_length).strain());
+    }
+  }
+  return most;
+}
+
+}  // namespace
 
 Energies energies(const EnergyInput& in) {
   Energies sum;
-  each_spring(in.fabric, [&](uint32_t i, uint32_t j, double stiffness, double rest) {
-    add_spring(in, i, j, stiffness, rest, sum);
+  const CookedFabric& fabric = in.fabric;
+  const bool edges = !fabric.triangles.empty();
+  if (edges) sum.stretch = largest_edge_strain(in);
+  each_spring(fabric, [&](uint32_t i, uint32_t j, double stiffness, double rest) {
+    const Lengthening spring = lengthening(in, i, j, rest);
+    sum.elastic += 0.5 * stiffness * spring.longer * spring.longer;
+    if (edges || (fabric.is_grid && are_two_apart(fabric.grid, i, j))) return;
+    sum.stretch = std::max(sum.stretch, spring.strain());
   });
   for (uint32_t i = 0; i < in.fabric.vertices; ++i) {
     if (in.pinned && (*in.pinned)[i]) continue;

@@ -19,7 +19,9 @@ struct EnergyInput {
 struct Energies {
   double kinetic = 0, elastic = 0, potential = 0;
   double3 momentum{0, 0, 0};
-  double stretch = 0;  ///< the largest (l - l0)/l0 of a spring with l0 > 0
+  /// The largest (l - l0)/l0 of a spring with l0 > 0 that is no bend spring: of a mesh, of the
+  /// edges of its triangles. What folds changes the length of a bend spring and stretches nothing.
+  double stretch = 0;
 };
 Energies energies(const EnergyInput&);
 

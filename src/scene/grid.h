@@ -25,4 +25,11 @@ inline bool has_neighbour(const GridShape& g, int64_t row, int64_t column, Stenc
   return r >= 0 && c >= 0 && r < g.rows && c < g.columns;
 }
 
+/// Whether vertices i and j stand two rows or columns apart, as the ends of bend springs do.
+inline bool are_two_apart(const GridShape& g, uint32_t i, uint32_t j) {
+  const int64_t rows = int64_t(j / g.columns) - int64_t(i / g.columns);
+  const int64_t columns = int64_t(j % g.columns) - int64_t(i % g.columns);
+  return rows * rows == 4 || columns * columns == 4;
+}
+
 }  // namespace weft::scene

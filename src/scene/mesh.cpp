@@ -98,7 +98,14 @@ void cook_checked(const MeshDesc& desc, CookedFabric& fabric) {
     first = end;
   }
   if (desc.bend) merge_bend(springs, bend, fabric);
-  build_rows(springs, fabric);
+  const uint32_t pieces = build_rows(springs, fabric);
+  if (pieces > 1) {
+    fabric.diagnostics.push_back(
+        {Severity::info, 0,
+         text("the mesh is %u pieces that no spring joins (each moves on its own) give vertices "
+              "that belong together the same index, or a weld distance",
+              pieces)});
+  }
   set_masses(desc.material.mass, fabric);
 }
 

@@ -5,7 +5,7 @@
 
 namespace weft::scene {
 
-void build_rows(const std::vector<SpringRecord>& springs, CookedFabric& fabric) {
+uint32_t build_rows(const std::vector<SpringRecord>& springs, CookedFabric& fabric) {
   SpringRows& rows = fabric.rows;
   fabric.springs = springs.size();
   rows.start.assign(size_t(fabric.vertices) + 1, 0);
@@ -43,10 +43,12 @@ void build_rows(const std::vector<SpringRecord>& springs, CookedFabric& fabric) 
       rows.stiffness[e] = s.stiffness >= 0 ? s.stiffness : fabric.stiffness.stretch;
     if (own_rest) rows.rest[e] = s.rest >= 0 ? s.rest : fabric.rest_length;
   }
-  order_rows(fabric);
+  return order_rows(fabric);
 }
 
-static void breadth_first(const CookedFabric& fabric, Array<uint32_t>& order) {
+/// Returns how many pieces that springs join there are.
+static uint32_t breadth_first(const CookedFabric& fabric, Array<uint32_t>& order) {
+  uint32_t pieces = 0;
   const SpringRows& rows = fabric.rows;
   std::vector<bool> seen(fabric.vertices, false);
   order.clear();
@@ -65,7 +67,9 @@ static void breadth_first(const CookedFabric& fabric, Array<uint32_t>& order) {
         order.push_back(n);
       }
     }
+    pieces += rows.start[root] < rows.start[size_t(root) + 1];
   }
+  return pieces;
 }
 
 /// Width that a row takes of its slice.
@@ -98,10 +102,10 @@ static void slice(CookedFabric& fabric) {
   }
 }
 
-void order_rows(CookedFabric& fabric) {
+uint32_t order_rows(CookedFabric& fabric) {
   constexpr size_t window = 1024;
   Array<uint32_t>& order = fabric.caller_of;
-  breadth_first(fabric, order);
+  const uint32_t pieces = breadth_first(fabric, order);
   for (size_t first = 0; first < order.size(); first += window) {
     const size_t end = std::min(first + window, order.size());
     std::stable_sort(order.begin() + static_cast<std::ptrdiff_t>(first),
@@ -112,6 +116,7 @@ void order_rows(CookedFabric& fabric) {
   fabric.storage_of.resize(fabric.vertices);
   for (uint32_t s = 0; s < fabric.vertices; ++s) fabric.storage_of[order[s]] = s;
   slice(fabric);
+  return pieces;
 }
 
 }  // namespace weft::scene

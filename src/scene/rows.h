@@ -12,10 +12,12 @@ struct SpringRecord {
 };
 
 /// Fills rows, the spring count, and the storage order. Springs must be unique and have a < b.
-void build_rows(const std::vector<SpringRecord>& springs, CookedFabric&);
+/// Returns how many pieces the springs join the vertices to, those without a spring left out.
+uint32_t build_rows(const std::vector<SpringRecord>& springs, CookedFabric&);
 
 /// Breadth-first order of the vertices, sorted by valence in windows of 1024, and the sliced rows'
 /// extents. Neighbours in a row stay in ascending caller index: no sum depends on the order.
-void order_rows(CookedFabric&);
+/// Returns the pieces.
+uint32_t order_rows(CookedFabric&);
 
 }  // namespace weft::scene

@@ -19,7 +19,7 @@ TEST(SceneCamera, FitsTheSceneUnlessItIsPlaced) {
 
 TEST(SceneCamera, ReadsEveryKey) {
   const CameraScene camera = read_json(scene_with(R"({"eye": [1, 2, 3], "target": [0, 0, 1],
-      "up": [0, 0, 2], "field_of_view": 45.5, "width": 320, "height": 200})"))
+      "up": [0, 0, 2], "field_of_view": 45.5, "width": 320.0, "height": 2e2})"))
                                  .camera;
   EXPECT_EQ(camera.eye->y, 2);
   EXPECT_EQ(camera.target->z, 1);
@@ -42,6 +42,10 @@ TEST(SceneCamera, RefusesWhatShowsNothing) {
              {"/camera/up", "[-0.5, -1, -1]", "$.camera.up", "is the direction of view"},
              {"/camera/field_of_view", "0", "$.camera.field_of_view", "0 is out of range"},
              {"/camera/field_of_view", "151", "$.camera.field_of_view", "151 is out of range"},
+             {"/camera/field_of_view", "0.009", "$.camera.field_of_view", "0.009 is out of range"},
+             {"/camera/width", "64.5", "$.camera.width", "64.5 has the wrong type"},
+             {"/camera/width", "1e30", "$.camera.width", "1e+30 is out of range"},
+             {"/camera/width", "18446744073709551616", "$.camera.width", "is out of range"},
              {"/camera/width", "15", "$.camera.width", "15 is out of range"},
              {"/camera/height", "8193", "$.camera.height", "8193 is out of range"},
              {"/camera/height", "64.5", "$.camera.height", "64.5 has the wrong type"},

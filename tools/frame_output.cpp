@@ -31,6 +31,11 @@ std::string frame_path(const std::string& folder, uint64_t number, const char* e
   return (std::filesystem::path(folder) / name).string();
 }
 
+std::string film_path(const std::string& folder, const std::string& scene_file) {
+  const std::string name = std::filesystem::path(scene_file).stem().string() + ".mp4";
+  return (std::filesystem::path(folder) / name).string();
+}
+
 FrameOutput::FrameOutput(const FrameSettings& settings, const io::Scene& scene,
                          io::Simulation& made, const ContextDesc& desc)
     : clock_(settings.every, scene.time.frame),

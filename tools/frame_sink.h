@@ -25,5 +25,7 @@ class FrameSink {
 
 /// FOLDER/frame_000012.EXTENSION
 std::string frame_path(const std::string& folder, uint64_t number, const char* extension);
+/// FOLDER/SCENE.mp4
+std::string film_path(const std::string& folder, const std::string& scene_file);
 
 }  // namespace weft::tools

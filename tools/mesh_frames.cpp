@@ -1,15 +1,28 @@
 #include "mesh_frames.h"
 
+#include "cache_names.h"
+
 #include "io/point_cache.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
-#include <set>
 
 namespace weft::tools {
 namespace {
 
 using Write = void (*)(const std::string&, const io::Surface&, Precision, bool);
+
+/// Floats within 16 m of zero are positions to a micrometre. Farther out a cloth, which counts from
+/// an origin of its own, is finer than they are.
+Precision fine_enough(const io::Surface& surface, Precision precision) {
+  constexpr double reach = 16;
+  for (const double3& p : surface.positions) {
+    const double most = std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+    if (most > reach) return Precision::float64;
+  }
+  return precision;
+}
 
 class MeshFrames final : public FrameSink {
  public:
@@ -17,8 +30,8 @@ class MeshFrames final : public FrameSink {
       : folder_(std::move(folder)), extension_(extension), write_(write), format_(format) {}
 
   void add(const Frame& frame) override {
-    write_(frame_path(folder_, frame.number, extension_), frame.surface, format_.precision,
-           format_.normals);
+    write_(frame_path(folder_, frame.number, extension_), frame.surface,
+           fine_enough(frame.surface, format_.precision), format_.normals);
   }
 
  private:
@@ -46,31 +59,20 @@ io::Surface part_of(const io::Surface& whole, const io::SurfacePart& part) {
   return alone;
 }
 
-class FileNames {
- public:
-  std::string make(const std::string& cloth) {
-    std::string name = cloth.substr(0, 200);  // a folder's entry has at most 255 bytes
-    for (char& c : name) {
-      const bool odd = static_cast<unsigned char>(c) < ' ' || c == '/' || c == '\\' || c == ':';
-      if (odd) c = '_';
-    }
-    if (name[0] == '.') name[0] = '_';
-    std::string free = name;
-    for (int i = 2; !taken_.insert(free).second; ++i) free = name + "_" + std::to_string(i);
-    return free;
-  }
-
- private:
-  std::set<std::string> taken_;
-};
+std::vector<std::string> names_of(const io::Surface& surface) {
+  std::vector<std::string> cloths;
+  for (const io::SurfacePart& part : surface.parts) cloths.push_back(part.name);
+  return cache_names(cloths);
+}
 
 class PointCaches final : public FrameSink {
  public:
   PointCaches(const std::string& folder, const io::Surface& start, Precision precision) {
-    FileNames names;
-    for (const io::SurfacePart& part : start.parts) {
-      const auto path = std::filesystem::path(folder) / names.make(part.name);
-      io::write_obj(path.string() + ".obj", part_of(start, part), precision);
+    const std::vector<std::string> names = names_of(start);
+    for (size_t i = 0; i < names.size(); ++i) {
+      const io::SurfacePart& part = start.parts[i];
+      const auto path = std::filesystem::path(folder) / names[i];
+      io::write_obj(path.string() + ".obj", part_of(start, part), fine_enough(start, precision));
       caches_.push_back(
           std::make_unique<io::PointCacheWriter>(path.string() + ".pc2", part.vertex_count));
     }

@@ -11,7 +11,6 @@
 #include "render/sight.h"
 #include "render/video.h"
 
-#include <filesystem>
 #include <optional>
 
 namespace weft::tools {
@@ -62,9 +61,8 @@ class Pictures final : public FrameSink {
         png_(settings.png),
         painter_(scene, start, views.framing, views.reach) {
     if (!settings.mp4) return;
-    const std::string name = std::filesystem::path(scene.file).stem().string() + ".mp4";
-    video_.emplace((std::filesystem::path(folder_) / name).string(), scene.camera.width,
-                   scene.camera.height, 1 / settings.clock.period());
+    video_.emplace(film_path(folder_, scene.file), scene.camera.width, scene.camera.height,
+                   1 / settings.clock.period());
   }
 
   void add(const Frame& frame) override {

@@ -5,6 +5,7 @@
 #include "collect_report.h"
 #include "frame_output.h"
 #include "output.h"
+#include "output_paths.h"
 #include "progress.h"
 #include "step_bound.h"
 #include "stop_signal.h"
@@ -55,6 +56,13 @@ io::Scene read_scene(const RunOptions& options, const RunRequest& request) {
     scene.camera.height = request.size->height;
   }
   return scene;
+}
+
+void check_paths(const RunOptions& options, const RunRequest& request, const io::Scene& scene) {
+  OutputPaths paths(scene);
+  paths.add("--final", options.final_file);
+  paths.add("--report", options.report);
+  if (!options.out.empty()) paths.add_frames(request.frames, scene);
 }
 
 io::Simulation build_runnable(const io::Scene& scene, const RunRequest& request) {
@@ -141,6 +149,7 @@ void print_summary(const io::Scene& scene, const io::Report& report) {
 int run_command(const RunOptions& options) {
   const RunRequest request(options);
   const io::Scene scene = read_scene(options, request);
+  check_paths(options, request, scene);
   io::Simulation made = build_runnable(scene, request);
   catch_stop_signals();
   std::optional<FrameOutput> frames;

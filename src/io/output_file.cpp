@@ -25,17 +25,6 @@ std::string temporary_name(const fs::path& target) {
   return (target.parent_path() / name).string();
 }
 
-// The file that a chain of symbolic links ends at, also when it does not exist yet.
-fs::path follow_links(fs::path path) {
-  for (int depth = 0; depth < 40; ++depth) {
-    std::error_code none;
-    const fs::path next = fs::read_symlink(path, none);
-    if (none) return path;
-    path = next.is_absolute() ? next : path.parent_path() / next;
-  }
-  return path;
-}
-
 bool is_device(const std::string& path) {
   struct stat status {};
   return ::stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode);
@@ -50,7 +39,7 @@ OutputFile::OutputFile(const std::string& path, Sync sync) : path_(path), sync_(
     if (descriptor_ < 0) fail("opened");
     return;
   }
-  target_ = follow_links(path).string();
+  target_ = follow_links(path);
   std::error_code ignored;
   if (path.empty() || fs::is_directory(target_, ignored)) {
     errno = path.empty() ? ENOENT : EISDIR;
@@ -123,6 +112,17 @@ void OutputFile::discard() noexcept {
   descriptor_ = -1;
   if (!temporary_.empty()) ::unlink(temporary_.c_str());
   temporary_.clear();
+}
+
+std::string follow_links(const std::string& path) {
+  fs::path at = path;
+  for (int depth = 0; depth < 40; ++depth) {
+    std::error_code none;
+    const fs::path next = fs::read_symlink(at, none);
+    if (none) break;
+    at = next.is_absolute() ? next : at.parent_path() / next;
+  }
+  return at.string();
 }
 
 void probe_output(const std::string& path) { const OutputFile file(path); }

@@ -43,6 +43,8 @@ class OutputFile {
   std::vector<char> buffer_;
 };
 
+/// The file that a chain of symbolic links ends at, also when it does not exist yet.
+std::string follow_links(const std::string& path);
 /// Throws OutputError when a file at `path` could not be made. Leaves nothing behind.
 void probe_output(const std::string& path);
 /// Makes the folder and its parents.

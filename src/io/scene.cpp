@@ -55,6 +55,7 @@ Scene read_scene_text(std::string_view text, const std::string& path) {
   MeshCache meshes{std::filesystem::path(path).parent_path().string(), {}};
   try {
     read_root(Node(json), scene, meshes);
+    for (const auto& [file, mesh] : meshes.meshes) scene.meshes.push_back(file);
     frame_count(scene.time, "$.time.duration");
     refuse_unavailable(scene);
   } catch (const InputError& error) {

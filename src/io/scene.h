@@ -91,7 +91,7 @@ struct SelfCollisionScene {
   std::optional<uint32_t> window;
 };
 
-constexpr int64_t least_pixels = 16, most_pixels = 8192;     ///< of a side of a picture
+constexpr int64_t least_pixels = 16, most_pixels = 8192;    ///< of a side of a picture
 constexpr double least_degrees = 0.01, most_degrees = 150;  ///< of its height
 
 /// Only pictures look at it.
@@ -105,6 +105,7 @@ struct CameraScene {
 
 struct Scene {
   std::string file;
+  std::vector<std::string> meshes;  ///< paths of the files that it names
   double3 gravity{0, -9.81, 0};
   TimeSettings time;
   SolverSettings solver;

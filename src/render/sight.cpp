@@ -34,8 +34,8 @@ void Sight::add(const io::Surface& surface) {
   }
   if (outside != 0) return;
   seen_ = true;
-  pixels_ = std::max({pixels_, 0.5 * (right - left) * camera.width,
-                      0.5 * (high - low) * camera.height});
+  pixels_ =
+      std::max({pixels_, 0.5 * (right - left) * camera.width, 0.5 * (high - low) * camera.height});
 }
 
 std::vector<std::string> Sight::problems() const {
@@ -44,10 +44,12 @@ std::vector<std::string> Sight::problems() const {
   if (!camera.eye) return lines;
   if (!seen_) {
     lines.push_back(
-        "$.camera: no cloth is in any picture (all are out of its view) move \"eye\" or \"target\"");
+        "$.camera: no cloth is in any picture (all are out of its view) move \"eye\" or "
+        "\"target\"");
   } else if (pixels_ < 2) {
-    lines.push_back("$.camera: the cloths are less than 2 pixels large (they are far away for the "
-                    "angle of view) move \"eye\" nearer or lower \"field_of_view\"");
+    lines.push_back(
+        "$.camera: the cloths are less than 2 pixels large (they are far away for the "
+        "angle of view) move \"eye\" nearer or lower \"field_of_view\"");
   }
   for (size_t i = 0; i < scene_.colliders.size(); ++i) {
     const auto depth = depth_in(scene_.colliders[i], 0, vector(*camera.eye));

@@ -1,0 +1,84 @@
+#include "output_paths.h"
+
+#include "cache_names.h"
+
+#include "io/error.h"
+#include "io/output_file.h"
+#include "io/text_cursor.h"
+
+#include <algorithm>
+#include <filesystem>
+
+namespace weft::tools {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The same for all ways to write a path.
+fs::path resolved(const fs::path& path) {
+  std::error_code failure;
+  const fs::path target = io::follow_links(path.string());
+  const fs::path found = fs::weakly_canonical(fs::absolute(target, failure), failure);
+  return failure ? path : found;
+}
+
+/// Standard output or /dev/null take any number of writers.
+bool is_device(const fs::path& path) {
+  std::error_code failure;
+  return fs::is_other(path, failure);
+}
+
+[[noreturn]] void refuse(const std::string& option, const std::string& path,
+                         const std::string& what) {
+  throw io::InputError(option + ": " + io::quoted(path) + " is also " + what +
+                       " (one would replace the other) give another path");
+}
+
+bool writes(const FrameSettings& settings, FrameFormat format) {
+  return std::find(settings.formats.begin(), settings.formats.end(), format) !=
+         settings.formats.end();
+}
+
+bool is_frame(const fs::path& file, const FrameSettings& settings) {
+  const std::string extension = file.extension().string();
+  return is_frame_stem(file.stem().string()) &&
+         ((extension == ".obj" && writes(settings, FrameFormat::obj)) ||
+          (extension == ".ply" && writes(settings, FrameFormat::ply)) ||
+          (extension == ".png" && writes(settings, FrameFormat::png)));
+}
+
+}  // namespace
+
+OutputPaths::OutputPaths(const io::Scene& scene) {
+  for (const std::string& file : scene.meshes) {
+    taken_[resolved(file).string()] = "a mesh that the scene reads";
+  }
+  taken_[resolved(scene.file).string()] = "the scene";
+}
+
+void OutputPaths::add(const std::string& option, const std::string& path) {
+  if (path.empty() || is_device(path)) return;
+  const auto [place, is_new] = taken_.emplace(resolved(path).string(), "the file of " + option);
+  if (!is_new) refuse(option, path, place->second);
+}
+
+void OutputPaths::add_frames(const FrameSettings& settings, const io::Scene& scene) {
+  const fs::path folder = settings.folder;
+  const std::string there = resolved(folder).string();
+  for (const auto& [path, what] : taken_) {
+    const fs::path file = path;
+    if (file.parent_path() != there || !is_frame(file, settings)) continue;
+    refuse("--out", (folder / file.filename()).string(), what);
+  }
+  if (writes(settings, FrameFormat::pc2)) {
+    std::vector<std::string> cloths;
+    for (const io::ClothScene& cloth : scene.cloths) cloths.push_back(cloth.name);
+    for (const std::string& name : cache_names(cloths)) {
+      add("--out", (folder / (name + ".obj")).string());
+      add("--out", (folder / (name + ".pc2")).string());
+    }
+  }
+  if (writes(settings, FrameFormat::mp4)) add("--out", film_path(settings.folder, scene.file));
+}
+
+}  // namespace weft::tools

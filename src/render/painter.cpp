@@ -115,6 +115,7 @@ Image Painter::draw(const io::Surface& surface, double time) {
   p.draw_ground();
   for (const Program* program : {&p.cloth, &p.solid, &p.capsule}) p.light(*program);
   p.draw_casters(p.stage.camera, p.cloth, p.solid, p.capsule);
+  p.solids.draw_discs(p.solid, p.stage.eye);
   return p.canvas.read();
 }
 

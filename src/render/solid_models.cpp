@@ -71,13 +71,27 @@ void SolidModels::draw_solids(const Program& program) const {
   program.use();
   program.set("colour", collider_colour);
   for (size_t i = 0; i < solids_.solids.size(); ++i) {
-    const Solid& solid = solids_.solids[i];
-    Eigen::Matrix4f turned = Eigen::Matrix4f::Identity();
-    turned.block<3, 3>(0, 0) = places_[i].block<3, 3>(0, 0).inverse().transpose();
-    program.set("model", places_[i]);
-    program.set("turned", turned);
-    (solid.form == Form::mesh ? meshes_[solid.mesh] : forms_[size_t(solid.form)]).draw();
+    if (solids_.solids[i].form != Form::disc) draw(program, i);
   }
+}
+
+void SolidModels::draw_discs(const Program& program, const Vector3f& eye) const {
+  program.use();
+  program.set("colour", collider_colour);
+  for (size_t i = 0; i < solids_.solids.size(); ++i) {
+    if (solids_.solids[i].form != Form::disc) continue;
+    const Vector3f from = eye - places_[i].block<3, 1>(0, 3);
+    if (from.dot(places_[i].block<3, 1>(0, 2)) > 0) draw(program, i);
+  }
+}
+
+void SolidModels::draw(const Program& program, size_t i) const {
+  const Solid& solid = solids_.solids[i];
+  Eigen::Matrix4f turned = Eigen::Matrix4f::Identity();
+  turned.block<3, 3>(0, 0) = places_[i].block<3, 3>(0, 0).inverse().transpose();
+  program.set("model", places_[i]);
+  program.set("turned", turned);
+  (solid.form == Form::mesh ? meshes_[solid.mesh] : forms_[size_t(solid.form)]).draw();
 }
 
 void SolidModels::draw_capsules(const Program& program) const {

@@ -42,10 +42,15 @@ class SolidModels {
  public:
   explicit SolidModels(const Solids&);
   void update(double time, const Vector3d& origin);
+  /// All but the discs.
   void draw_solids(const Program&) const;
+  /// Those that face `eye`: a plane hides nothing from behind.
+  void draw_discs(const Program&, const Vector3f& eye) const;
   void draw_capsules(const Program&) const;
 
  private:
+  void draw(const Program&, size_t solid) const;
+
   Solids solids_;
   std::array<Model, 3> forms_{Model(cylinder_form()), Model(box_form()), Model(disc_form())};
   std::vector<Model> meshes_;

@@ -69,6 +69,7 @@ void place_ground(const io::Scene& scene, const Vector3d& up, double gap, Stage&
 }  // namespace
 
 Stage make_stage(const io::Scene& scene, Framing framing) {
+  if (framing.box().radius() < 1e-6) framing.add(framing.box().center(), 1e-3);  // a point at rest
   const double size = std::max(framing.box().radius(), 1e-3);
   add_colliders(scene, framing);
   Stage stage;

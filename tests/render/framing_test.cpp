@@ -53,6 +53,15 @@ TEST(Framing, HasEverythingInThePictureAndNoRoomToSpare) {
   }
 }
 
+TEST(Framing, SeesAPointAtRest) {
+  const io::Scene scene = plain_scene();
+  io::Surface surface;
+  surface.positions = {{3, 4, 5}};
+  const Stage stage = make_stage(scene, Framing(scene, surface));
+  EXPECT_LT(seen_at(stage, {3, 4, 5}).norm(), 1e-3f);
+  EXPECT_GT(stage.radius, 0.5e-3f);
+}
+
 TEST(Framing, LooksFromWhereTheSceneSays) {
   io::Scene scene = plain_scene();
   scene.camera.eye = double3{3, 4, 5};

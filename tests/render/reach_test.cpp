@@ -112,9 +112,8 @@ TEST(Reach, IsWhatDenseSamplingFinds) {
     surface.triangles = {{0, 1, 2}};
     Reach reach(scene, surface);
     reach.add(surface, 0);
-    const std::array<Vector3d, 3> corners{vector(surface.positions[0]),
-                                          vector(surface.positions[1]),
-                                          vector(surface.positions[2])};
+    const std::array<Vector3d, 3> corners{
+        vector(surface.positions[0]), vector(surface.positions[1]), vector(surface.positions[2])};
     for (size_t c = 0; c < scene.colliders.size(); ++c) {
       double most = -9, own = 0;
       for (const Vector3d& p : corners) {

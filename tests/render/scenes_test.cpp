@@ -96,6 +96,38 @@ TEST(Pictures, CameraAndSizeAreTheScenes) {
   EXPECT_LT(psnr(seen, read_png(folder / "frame_000000.png")), 30) << "it looks away";
 }
 
+TEST(Pictures, PlanesHideNothingFromBehind) {
+  const TemporaryFolder folder;
+  Json json = io::test::falling_scene();
+  json["time"] = {{"duration", 0}};
+  json["camera"] = {{"eye", {0.5, 1, 4}}, {"target", {0.5, 1, 0}}, {"width", 64}, {"height", 64}};
+  const auto picture = [&](const char* colliders) {
+    json["colliders"] = Json::parse(colliders);
+    const std::string scene = folder.write("s.json", json.dump());
+    const Outcome outcome =
+        run_weft("run --format png --out " + folder.string() + " " + scene, in_software);
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    return read_png(folder / "frame_000000.png");
+  };
+  const Image open = picture("[]");
+  const char* const behind = R"([{"plane": {"normal": [0, 0, -1], "offset": -2}}])";
+  const char* const before = R"([{"plane": {"normal": [0, 0, 1], "offset": -0.5}}])";
+  EXPECT_GE(psnr(picture(behind), open), 60);
+  EXPECT_LT(psnr(picture(before), open), 30) << "a wall that faces the camera is drawn";
+}
+
+TEST(Pictures, ACameraThatSeesNothingIsAWarning) {
+  const TemporaryFolder folder;
+  Json json = io::test::falling_scene();
+  json["time"] = {{"duration", 0}};
+  json["camera"] = {{"eye", {0.5, 1, 4}}, {"target", {0.5, 1, 8}}, {"width", 16}, {"height", 16}};
+  const std::string scene = folder.write("s.json", json.dump());
+  const Outcome outcome =
+      run_weft("run --format png --out " + folder.string() + " " + scene, in_software);
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_NE(outcome.err.find("s.json: $.camera: no cloth is in any picture"), std::string::npos);
+}
+
 TEST(Pictures, FilmsNeedFfmpegAndLeaveNothingWithout) {
   const TemporaryFolder folder;
   const std::string scene = folder.write("s.json", io::test::falling_scene().dump());

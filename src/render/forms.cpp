@@ -59,6 +59,24 @@ Triangles capsule_form(uint32_t corners) {
   return form;
 }
 
+Triangles planet_form(double finest) {
+  constexpr uint32_t rings = 96, corners = 96;
+  const double growth = std::pow(std::numbers::pi / finest, 1.0 / (rings - 1));
+  Triangles form;
+  double angle = finest;
+  for (uint32_t r = 0; r <= rings; ++r, angle *= r > 1 ? growth : 1) {
+    const double from_top = r == 0 ? 0 : std::min(angle, std::numbers::pi);
+    const double wide = std::sin(from_top), half = std::sin(from_top / 2);
+    for (uint32_t i = 0; i < corners; ++i) {
+      const auto [x, y] = on_circle(i, corners);
+      form.vertices.push_back({float(wide * x), float(wide * y), float(-2 * half * half),
+                               float(wide * x), float(wide * y), float(1 - 2 * half * half)});
+    }
+  }
+  add_tube(rings + 1, corners, form.indices);
+  return form;
+}
+
 Triangles cylinder_form() {
   Triangles form;
   for (const float z : {-1.0f, 1.0f}) {

@@ -81,7 +81,8 @@ const char* const no_fragments = R"(
 void main() {}
 )";
 
-// How much of the light reaches a point: the mean of nine looks at the shadow map around it.
+// How much of the light reaches a point: the mean of nine looks at the shadow map around it; all
+// where the map ends.
 const char* const shadow_functions = R"(
 uniform vec3 light;
 uniform mat4 shadow;
@@ -98,7 +99,7 @@ float lit(vec3 p, vec3 n) {
       sum += texture(depth, vec3(s.xy + tap, s.z - 0.0008));
     }
   }
-  return sum / 9.0;
+  return mix(sum / 9.0, 1.0, smoothstep(0.985, 1.0, max(abs(q.x), abs(q.y))));
 }
 )";
 

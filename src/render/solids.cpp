@@ -60,7 +60,10 @@ class Maker {
     std::visit(*this, collider);
   }
 
-  void operator()(const SphereDesc& d) { add_capsule(d.center, d.center, d.radius, d.velocity); }
+  void operator()(const SphereDesc& d) {
+    if (d.radius > 2 * region_.radius()) return add_planet(d);
+    add_capsule(d.center, d.center, d.radius, d.velocity);
+  }
   void operator()(const CapsuleDesc& d) { add_capsule(d.a, d.b, d.radius, d.velocity); }
   void operator()(const CylinderDesc& d) {
     const Vector3d a = vector(d.a), b = vector(d.b), half = 0.5 * (b - a);
@@ -96,6 +99,17 @@ class Maker {
   void add_capsule(double3 a, double3 b, double radius, double3 velocity) {
     out_.capsules.push_back(
         {vector(a), vector(b), radius - slack_within(radius), vector(velocity)});
+  }
+
+  // Floats and the corners of a capsule are too coarse for a sphere much larger than the scene.
+  void add_planet(const SphereDesc& d) {
+    const Vector3d center = vector(d.center), towards = region_.center() - center;
+    const Vector3d up = towards.norm() > 0 ? Vector3d(towards.normalized()) : Vector3d::UnitY();
+    const double radius = d.radius - slack_within(d.radius);
+    out_.meshes.push_back(planet_form(0.02 * region_.radius() / d.radius));
+    meshes_.push_back(nullptr);
+    out_.solids.push_back({Form::mesh, frame_along(up) * radius, center + radius * up,
+                           vector(d.velocity), out_.meshes.size() - 1});
   }
 
   // A collider mesh keeps cloth at a distance, so it is drawn as it is.

@@ -57,6 +57,10 @@ Solids make_solids(const io::Scene&, const std::vector<double>& reach, const Box
 /// For drawing capsules, with so many corners `around`: (x, y, w) of a unit half sphere's points
 /// around an axis, and on which end (0 or 1). Position and normal are one.
 Triangles capsule_form(uint32_t around);
+/// A unit sphere below the origin, which is its top. Rings of vertices lie the closer the nearer to
+/// the top they are, the first at an angle of `finest`: for spheres of which the picture shows a
+/// small part.
+Triangles planet_form(double finest);
 /// Radius 1 around z, from -1 to 1.
 Triangles cylinder_form();
 /// From -1 to 1 along each axis.

@@ -54,6 +54,36 @@ TEST(Solids, ShapesGiveWayByTheirReachAndKeepHalf) {
   }
 }
 
+// Where a picture looks, what is drawn of a sphere as large as the Earth lies on it.
+TEST(Solids, SpheresMuchLargerThanTheSceneAreFineWhereItIs) {
+  io::Scene scene;
+  SphereDesc sphere;
+  const Box region{{-1, -1, -1}, {1, 1, 1}};
+  for (const double radius : {5.0, 300.0, 6371000.0}) {
+    sphere.center = {0.5, -radius, 0};
+    sphere.radius = radius;
+    scene.colliders = {sphere};
+    const Solids solids = make_solids(scene, {0}, region, nullptr);
+    ASSERT_EQ(solids.solids.size(), 1u);
+    const Solid& solid = solids.solids[0];
+    const Triangles& mesh = solids.meshes[solid.mesh];
+    size_t near = 0;
+    for (size_t t = 0; t < mesh.indices.size(); t += 3) {
+      Vector3d middle(0, 0, 0);
+      for (size_t k = 0; k < 3; ++k) {
+        const auto& v = mesh.vertices[mesh.indices[t + k]];
+        middle += (solid.axes * Vector3d(v[0], v[1], v[2]) + solid.center) / 3;
+      }
+      const double above = (middle - vector(sphere.center)).norm() - radius;
+      EXPECT_LT(above, 1e-9 * radius);
+      if (middle.norm() > 1.8) continue;
+      ++near;
+      EXPECT_NEAR(above, 0, 3e-3) << radius;
+    }
+    EXPECT_GT(near, 100u);
+  }
+}
+
 TEST(Solids, TheGroundIsNotDrawnTwice) {
   io::Scene scene;
   PlaneDesc plane;

@@ -12,11 +12,10 @@ namespace weft::render {
 namespace {
 
 struct Inside {
-  const Vector3d& point;  ///< where it was at the start, seen from the collider
+  Vector3d point;               ///< where it was at the start, seen from the collider
+  const Eigen::Matrix3d& turn;  ///< of a box
 
-  Depth operator()(const SphereDesc& d) const {
-    return below(d.radius, point - vector(d.center));
-  }
+  Depth operator()(const SphereDesc& d) const { return below(d.radius, point - vector(d.center)); }
   Depth operator()(const CapsuleDesc& d) const {
     const Vector3d a = vector(d.a), along = vector(d.b) - a;
     const double length2 = along.squaredNorm();
@@ -32,7 +31,6 @@ struct Inside {
     return side.value <= end ? side : Depth{end, up > 0 ? Vector3d(-axis) : axis};
   }
   Depth operator()(const BoxDesc& d) const {
-    const Eigen::Matrix3d turn = rotation(d.axis, d.degrees);
     const Vector3d from = turn.transpose() * (point - vector(d.center));
     Eigen::Index side = 0;
     const double value = (vector(d.half) - from.cwiseAbs()).minCoeff(&side);
@@ -55,6 +53,11 @@ struct Velocity {
   }
 };
 
+Eigen::Matrix3d turn_of(const io::ColliderScene& collider) {
+  const auto* box = std::get_if<BoxDesc>(&collider);
+  return box ? rotation(box->axis, box->degrees) : Eigen::Matrix3d::Identity();
+}
+
 bool has_depth(const io::ColliderScene& collider) {
   return !std::holds_alternative<PlaneDesc>(collider) &&
          !std::holds_alternative<io::MeshColliderScene>(collider);
@@ -66,13 +69,16 @@ class Search {
  public:
   Search(const io::ColliderScene& collider, double time)
       : moved_(std::visit(Velocity(), collider) * time),
-        collider_(collider),
-        tolerance_(1e-3 * bounds_of(collider).radius()) {}
+        turn_(turn_of(collider)),
+        collider_(collider) {}
 
-  double depth(const Vector3d& point) const { return at(point).value; }
+  Depth at(const Vector3d& point) const {
+    return std::visit(Inside{point - moved_, turn_}, collider_);
+  }
 
-  /// The greater of `found` and what is the deepest in a triangle, or a little more.
-  double deepest(const std::array<Vector3d, 3>& t, double found, int levels = 8) const {
+  /// The greater of `found` and what is the deepest in a triangle, or up to `tolerance` more.
+  double deepest(const std::array<Vector3d, 3>& t, double found, double tolerance,
+                 int levels = 8) const {
     const Vector3d middle = (t[0] + t[1] + t[2]) / 3;
     const Depth here = at(middle);
     double most = -1e300;
@@ -80,22 +86,18 @@ class Search {
       most = std::max(most, here.value + here.slope.dot(corner - middle));
     }
     if (!(most > found)) return found;
-    if (most - here.value <= tolerance_ || levels == 0) return most;
+    if (most - here.value <= tolerance || levels == 0) return most;
     const Vector3d a = 0.5 * (t[1] + t[2]), b = 0.5 * (t[2] + t[0]), c = 0.5 * (t[0] + t[1]);
-    found = deepest({a, b, c}, found, levels - 1);
-    found = deepest({t[0], c, b}, found, levels - 1);
-    found = deepest({t[1], a, c}, found, levels - 1);
-    return deepest({t[2], b, a}, found, levels - 1);
+    found = deepest({a, b, c}, found, tolerance, levels - 1);
+    found = deepest({t[0], c, b}, found, tolerance, levels - 1);
+    found = deepest({t[1], a, c}, found, tolerance, levels - 1);
+    return deepest({t[2], b, a}, found, tolerance, levels - 1);
   }
 
  private:
-  Depth at(const Vector3d& point) const {
-    return std::visit(Inside{point - moved_}, collider_);
-  }
-
   Vector3d moved_;
+  Eigen::Matrix3d turn_;
   const io::ColliderScene& collider_;
-  double tolerance_;
 };
 
 }  // namespace
@@ -103,7 +105,7 @@ class Search {
 std::optional<Depth> depth_in(const io::ColliderScene& collider, double time,
                               const Vector3d& point) {
   if (!has_depth(collider)) return std::nullopt;
-  return std::visit(Inside{point - std::visit(Velocity(), collider) * time}, collider);
+  return Search(collider, time).at(point);
 }
 
 Reach::Reach(const io::Scene& scene, const io::Surface& start)
@@ -115,13 +117,15 @@ void Reach::add(const io::Surface& surface, double time) {
     if (!has_depth(scene_.colliders[i])) continue;
     const Search search(scene_.colliders[i], time);
     for (size_t v = 0; v < own.size(); ++v) {
-      own[v] = std::max(0.0, search.depth(vector(surface.positions[v])));
+      own[v] = std::max(0.0, search.at(vector(surface.positions[v])).value);
     }
     double& depth = depths_[i];
-    const auto add = [&](uint32_t a, uint32_t b, uint32_t c) {
-      const auto& x = surface.positions;
-      const double corner = std::max({own[a], own[b], own[c]});
-      depth = search.deepest({vector(x[a]), vector(x[b]), vector(x[c])}, depth + corner) - corner;
+    const auto add = [&](uint32_t i, uint32_t j, uint32_t k) {
+      const Vector3d a = vector(surface.positions[i]), b = vector(surface.positions[j]),
+                     c = vector(surface.positions[k]);
+      const double corner = std::max({own[i], own[j], own[k]});
+      const double tolerance = 0.02 * std::max((b - a).norm(), (c - a).norm());
+      depth = search.deepest({a, b, c}, depth + corner, tolerance) - corner;
     };
     for (const auto& t : surface.triangles) add(t[0], t[1], t[2]);
     for (const auto& bar : bars_) add(bar[0], bar[1], bar[1]);

@@ -32,8 +32,8 @@ class Reach {
   /// Triangles, and the bars of what has none.
   void add(const io::Surface&, double time);
 
-  /// m, by collider: no triangle went deeper below its own deepest corner. Too much by a thousandth
-  /// of the collider's size at most.
+  /// m, by collider: no triangle went deeper below its own deepest corner. Too much by a fiftieth
+  /// of an edge at most.
   const std::vector<double>& depths() const { return depths_; }
 
  private:

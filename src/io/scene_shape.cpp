@@ -3,6 +3,7 @@
 
 #include "io/error.h"
 
+#include <algorithm>
 #include <filesystem>
 
 namespace weft::io {
@@ -36,8 +37,17 @@ GridShape read_grid(const Node& node) {
 }  // namespace
 
 std::shared_ptr<const Mesh> load_mesh(const Node& file, MeshCache& cache, const char* need) {
-  if (file.text().empty()) file.fail("\"\" names no file (a mesh is read from one) give its path");
-  const std::string path = (std::filesystem::path(cache.folder) / file.text()).string();
+  const std::string& name = file.text();
+  if (name.empty()) file.fail("\"\" names no file (a mesh is read from one) give its path");
+  constexpr size_t longest = 1000;
+  const bool odd = std::any_of(name.begin(), name.end(),
+                               [](char c) { return static_cast<unsigned char>(c) < ' '; });
+  if (odd || name.size() > longest) {
+    file.fail(file.value_text() +
+              " is no path that is read (it has control characters, or more than 1000 bytes) "
+              "rename the file");
+  }
+  const std::string path = (std::filesystem::path(cache.folder) / name).string();
   auto& mesh = cache.meshes[path];
   if (mesh) return mesh;
   try {

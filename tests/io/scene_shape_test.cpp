@@ -96,6 +96,10 @@ TEST(SceneShape, RefusesBadMeshes) {
   EXPECT_CONTAINS(error({{"file", "broken.obj"}}), "broken.obj: line 2: vertex 2: x 'x'");
   EXPECT_CONTAINS(error({{"file", "cloud.obj"}}), "cloud.obj: has no faces");
   EXPECT_CONTAINS(error({{"file", ""}}), "names no file");
+  for (const std::string& odd : {std::string(1001, 'a'), std::string("a\nb.obj")}) {
+    EXPECT_CONTAINS(error({{"file", odd}}), "is no path that is read (it has control characters");
+    EXPECT_LT(error({{"file", odd}}).size(), 300u);
+  }
   EXPECT_CONTAINS(error({{"file", 3}}), "3 has the wrong type");
   EXPECT_CONTAINS(error({{"bend", true}}), "$.cloths[0].mesh.file: is missing");
   EXPECT_CONTAINS(error({{"file", "cloud.obj"}, {"bend", 1}}), "$.cloths[0].mesh.bend: 1");

@@ -46,13 +46,6 @@ struct Inside {
   }
 };
 
-struct Velocity {
-  template <class Desc>
-  Vector3d operator()(const Desc& d) const {
-    return vector(d.velocity);
-  }
-};
-
 Eigen::Matrix3d turn_of(const io::ColliderScene& collider) {
   const auto* box = std::get_if<BoxDesc>(&collider);
   return box ? rotation(box->axis, box->degrees) : Eigen::Matrix3d::Identity();
@@ -68,9 +61,7 @@ bool has_depth(const io::ColliderScene& collider) {
 class Search {
  public:
   Search(const io::ColliderScene& collider, double time)
-      : moved_(std::visit(Velocity(), collider) * time),
-        turn_(turn_of(collider)),
-        collider_(collider) {}
+      : moved_(velocity_of(collider) * time), turn_(turn_of(collider)), collider_(collider) {}
 
   Depth at(const Vector3d& point) const {
     return std::visit(Inside{point - moved_, turn_}, collider_);
@@ -109,9 +100,15 @@ std::optional<Depth> depth_in(const io::ColliderScene& collider, double time,
 }
 
 Reach::Reach(const io::Scene& scene, const io::Surface& start)
-    : scene_(scene), bars_(bars(scene, start)), depths_(scene.colliders.size(), 0) {}
+    : scene_(scene), bars_(bars(scene, start)), depths_(scene.colliders.size(), 0) {
+  for (size_t i = 0; i < scene.colliders.size(); ++i) {
+    const auto* mesh = std::get_if<io::MeshColliderScene>(&scene.colliders[i]);
+    if (mesh) meshes_.push_back({i, mesh->closed, Ridges(*mesh), {}});
+  }
+}
 
 void Reach::add(const io::Surface& surface, double time) {
+  add_to_meshes(surface, time);
   std::vector<double> own(surface.positions.size());
   for (size_t i = 0; i < depths_.size(); ++i) {
     if (!has_depth(scene_.colliders[i])) continue;
@@ -130,6 +127,36 @@ void Reach::add(const io::Surface& surface, double time) {
     for (const auto& t : surface.triangles) add(t[0], t[1], t[2]);
     for (const auto& bar : bars_) add(bar[0], bar[1], bar[1]);
   }
+}
+
+void Reach::add_to_meshes(const io::Surface& surface, double time) {
+  for (Mesh& mesh : meshes_) {
+    for (const auto& t : surface.triangles) {
+      mesh.ridges.add({vector(surface.positions[t[0]]), vector(surface.positions[t[1]]),
+                       vector(surface.positions[t[2]])},
+                      time, mesh.found);
+    }
+  }
+}
+
+std::vector<double> Reach::depths() const {
+  std::vector<double> depths = depths_;
+  for (const Mesh& mesh : meshes_) {
+    depths[mesh.collider] = std::min(mesh.found.depth, mesh.ridges.most_hidden());
+  }
+  return depths;
+}
+
+std::vector<std::string> Reach::problems() const {
+  std::vector<std::string> lines;
+  for (const Mesh& mesh : meshes_) {
+    const bool hidden = mesh.closed && mesh.found.depth <= mesh.ridges.most_hidden();
+    if (!mesh.found.cut || hidden) continue;
+    lines.push_back("$.colliders[" + std::to_string(mesh.collider) +
+                    "].mesh: shows through cloth (its edges go between the particles) give it more "
+                    "\"thickness\", or the cloth more vertices");
+  }
+  return lines;
 }
 
 }  // namespace weft::render

@@ -1,6 +1,8 @@
 // How deep flat triangles between particles reach into the colliders that keep the particles out.
 #pragma once
 
+#include "render/ridges.h"
+
 #include "io/scene.h"
 #include "io/surface.h"
 
@@ -8,6 +10,7 @@
 
 #include <array>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace weft::render {
@@ -19,8 +22,7 @@ struct Depth {
   Eigen::Vector3d slope;
 };
 
-/// Of a point at `time` s. None for planes, which flat triangles cannot enter, and for meshes,
-/// which keep cloth at a distance.
+/// Of a point at `time` s. None for planes, which flat triangles cannot enter, and for meshes.
 std::optional<Depth> depth_in(const io::ColliderScene&, double time, const Eigen::Vector3d& point);
 
 /// Gathers moments of a run.
@@ -33,13 +35,25 @@ class Reach {
   void add(const io::Surface&, double time);
 
   /// m, by collider: no triangle went deeper below its own deepest corner. Too much by a fiftieth
-  /// of an edge at most.
-  const std::vector<double>& depths() const { return depths_; }
+  /// of an edge at most. For closed meshes with sharp edges it may be more, and it is at
+  /// most what a picture can hide; for open ones 0.
+  std::vector<double> depths() const;
+  /// Of meshes that show through cloth in spite of this: a line each, with path, reason and remedy.
+  std::vector<std::string> problems() const;
 
  private:
+  struct Mesh {
+    size_t collider;
+    bool closed;
+    Ridges ridges;
+    Ridges::Found found;
+  };
+  void add_to_meshes(const io::Surface&, double time);
+
   const io::Scene& scene_;
   std::vector<std::array<uint32_t, 2>> bars_;
   std::vector<double> depths_;
+  std::vector<Mesh> meshes_;
 };
 
 }  // namespace weft::render

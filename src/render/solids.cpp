@@ -1,5 +1,7 @@
 #include "render/solids.h"
 
+#include "render/ridges.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -50,12 +52,20 @@ struct Bounds {
   }
 };
 
+/// What a mesh of `Solids` was made from.
+struct DrawnMesh {
+  const io::Mesh* mesh;  ///< null: none that could be used again
+  double shrunk_by;
+  bool operator==(const DrawnMesh&) const = default;
+};
+
 class Maker {
  public:
   Maker(const Box& region, Solids& out)
       : region_(region), hair_(5e-4 * region.radius()), out_(out) {}
 
   void make(const io::ColliderScene& collider, double reach) {
+    reach_ = reach;
     slack_ = reach + hair_;
     std::visit(*this, collider);
   }
@@ -90,7 +100,7 @@ class Maker {
   void operator()(const io::MeshColliderScene& d) {
     const Eigen::Matrix3d axes = rotation(d.pose.axis, d.pose.degrees) * d.scale;
     out_.solids.push_back(
-        {Form::mesh, axes, vector(d.pose.translate), vector(d.velocity), mesh_of(*d.mesh)});
+        {Form::mesh, axes, vector(d.pose.translate), vector(d.velocity), mesh_of(d)});
   }
 
  private:
@@ -107,15 +117,17 @@ class Maker {
     const Vector3d up = towards.norm() > 0 ? Vector3d(towards.normalized()) : Vector3d::UnitY();
     const double radius = d.radius - slack_within(d.radius);
     out_.meshes.push_back(planet_form(0.02 * region_.radius() / d.radius));
-    meshes_.push_back(nullptr);
+    meshes_.push_back({nullptr, 0});
     out_.solids.push_back({Form::mesh, frame_along(up) * radius, center + radius * up,
                            vector(d.velocity), out_.meshes.size() - 1});
   }
 
-  // A collider mesh keeps cloth at a distance, so it is drawn as it is.
-  size_t mesh_of(const io::Mesh& mesh) {
+  // Without a hair: a collider mesh keeps cloth at a distance.
+  size_t mesh_of(const io::MeshColliderScene& collider) {
+    const io::Mesh& mesh = *collider.mesh;
+    const DrawnMesh wanted{&mesh, reach_ / collider.scale};
     for (size_t i = 0; i < meshes_.size(); ++i) {
-      if (meshes_[i] == &mesh) return i;
+      if (meshes_[i] == wanted) return i;
     }
     std::vector<Vector3d> normals(mesh.positions.size(), Vector3d::Zero());
     for (size_t t = 0; t + 2 < mesh.triangles.size(); t += 3) {
@@ -124,23 +136,24 @@ class Maker {
       const Vector3d n = (vector(mesh.positions[v[1]]) - a).cross(vector(mesh.positions[v[2]]) - a);
       for (int k = 0; k < 3; ++k) normals[v[k]] += n;
     }
+    const std::vector<Vector3d> places = shrunk(mesh, wanted.shrunk_by);
     Triangles drawn;
     for (size_t i = 0; i < normals.size(); ++i) {
-      const Vector3f p = vector(mesh.positions[i]).cast<float>();
+      const Vector3f p = places[i].cast<float>();
       const Vector3f n = normals[i].normalized().cast<float>();
       drawn.vertices.push_back({p.x(), p.y(), p.z(), n.x(), n.y(), n.z()});
     }
     drawn.indices = mesh.triangles;
     out_.meshes.push_back(std::move(drawn));
-    meshes_.push_back(&mesh);
+    meshes_.push_back(wanted);
     return meshes_.size() - 1;
   }
 
   const Box& region_;
   double hair_;  ///< what keeps two surfaces apart in the depth buffer
-  double slack_ = 0;
+  double reach_ = 0, slack_ = 0;
   Solids& out_;
-  std::vector<const io::Mesh*> meshes_;
+  std::vector<DrawnMesh> meshes_;
 };
 
 }  // namespace
@@ -150,7 +163,7 @@ const PlaneDesc* ground_plane(const io::Scene& scene, const Vector3d& up) {
   double best = 0.7;
   for (const io::ColliderScene& collider : scene.colliders) {
     const auto* plane = std::get_if<PlaneDesc>(&collider);
-    if (!plane || vector(plane->velocity).norm() > 0) continue;
+    if (!plane) continue;
     const double rise = vector(plane->normal).normalized().dot(up);
     if (rise <= best) continue;
     best = rise;
@@ -163,6 +176,10 @@ Eigen::Matrix3d rotation(double3 axis, double degrees) {
   const Vector3d v = vector(axis);
   if (v.norm() == 0) return Eigen::Matrix3d::Identity();
   return Eigen::AngleAxisd(degrees * std::numbers::pi / 180, v.normalized()).toRotationMatrix();
+}
+
+Vector3d velocity_of(const io::ColliderScene& collider) {
+  return std::visit([](const auto& d) { return vector(d.velocity); }, collider);
 }
 
 Box bounds_of(const io::ColliderScene& collider) { return std::visit(Bounds(), collider); }

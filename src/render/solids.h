@@ -42,15 +42,17 @@ struct Solids {
 /// At the start; of a plane, empty.
 Box bounds_of(const io::ColliderScene&);
 
-/// The plane at rest that faces `up` the most, by 45 degrees at least; null when none does.
+Vector3d velocity_of(const io::ColliderScene&);
+
+/// The plane that faces `up` the most, by 45 degrees at least; null when none does.
 const PlaneDesc* ground_plane(const io::Scene&, const Vector3d& up);
 
 /// Of a unit vector along `axis`; without a direction, none.
 Eigen::Matrix3d rotation(double3 axis, double degrees);
 
-/// Shapes are drawn smaller by `reach`, by collider, and by a hair, so that no triangle between
-/// particles on their surface is hidden; at least half of a shape is left. Planes other than
-/// `ground` are drawn as discs of the size of `region`, around it.
+/// Shapes are drawn smaller by `reach`, by collider, and all but meshes by a hair, so that no
+/// triangle between particles on their surface is hidden; at least half of a shape is left. Planes
+/// other than `ground` are drawn as discs of the size of `region`, around it.
 Solids make_solids(const io::Scene&, const std::vector<double>& reach, const Box& region,
                    const PlaneDesc* ground);
 

@@ -51,6 +51,7 @@ Framing::Framing(const io::Scene& scene, const io::Surface& start)
     : axes_(axes_for(scene, start)),
       half_height_(std::tan(scene.camera.field_of_view * std::numbers::pi / 360)),
       half_width_(half_height_ * scene.camera.width / scene.camera.height) {
+  if (scene.camera.eye) eye_ = vector(*scene.camera.eye);
   constexpr double margin = 1.12;
   const Vector3d wide = axes_.right * margin / half_width_;
   const Vector3d high = axes_.up * margin / half_height_;
@@ -68,6 +69,17 @@ void Framing::add(const Vector3d& center, double radius) {
   for (size_t i = 0; i < sides_.size(); ++i) {
     reach_[i] = std::max(reach_[i], sides_[i].dot(center) + radius * sides_[i].norm());
   }
+  if (!eye_) return;
+  const Vector3d from = center - *eye_;
+  const double ahead = -axes_.back.dot(from);
+  const bool in_view = std::abs(axes_.right.dot(from)) <= 1.2 * half_width_ * ahead + radius &&
+                       std::abs(axes_.up.dot(from)) <= 1.2 * half_height_ * ahead + radius;
+  if (ahead > 0 && in_view) nearest_ = std::min(nearest_, std::max(ahead - radius, 0.0));
+}
+
+void Framing::expect(const Box& box) {
+  if (!eye_) return;
+  nearest_ = std::min(nearest_, (eye_->cwiseMax(box.low).cwiseMin(box.high) - *eye_).norm());
 }
 
 // A point p is inside of a side with normal n, seen from e, when n.p <= n.e. Two opposite sides
@@ -84,14 +96,22 @@ void add_colliders(const io::Scene& scene, Framing& framing) {
   const double size = framing.box().radius();
   const Box near = framing.box().grown(0.8 * size);
   for (const io::ColliderScene& collider : scene.colliders) {
-    const Box all = bounds_of(collider), part = all.within(near);
-    if (part.empty()) continue;
-    const auto* sphere = std::get_if<SphereDesc>(&collider);
-    if (sphere && part.low == all.low && part.high == all.high) {
-      framing.add(vector(sphere->center), sphere->radius);
-      continue;
+    const Box start = bounds_of(collider);
+    if (start.empty()) continue;
+    const Vector3d way = velocity_of(collider) * scene.time.duration;
+    const int moments = way.norm() > 0 ? 32 : 0;
+    for (int i = 0; i <= moments; ++i) {
+      const Vector3d moved = moments > 0 ? Vector3d(way * (double(i) / moments)) : way;
+      const Box all{start.low + moved, start.high + moved}, part = all.within(near);
+      framing.expect(all);
+      if (part.empty()) continue;
+      const auto* sphere = std::get_if<SphereDesc>(&collider);
+      if (sphere && part.low == all.low && part.high == all.high) {
+        framing.add(vector(sphere->center) + moved, sphere->radius);
+        continue;
+      }
+      for (int k = 0; k < 8; ++k) framing.add(part.corner(k));
     }
-    for (int i = 0; i < 8; ++i) framing.add(part.corner(i));
   }
 }
 

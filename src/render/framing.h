@@ -7,6 +7,7 @@
 #include "io/surface.h"
 
 #include <array>
+#include <optional>
 
 namespace weft::render {
 
@@ -33,6 +34,10 @@ class Framing {
 
   const Axes& axes() const { return axes_; }
   const Box& box() const { return box_; }
+  /// How near to the scene's eye something in view comes, m; 1e300 when there is none.
+  double nearest() const { return nearest_; }
+  /// What a box holds may come that near to the eye.
+  void expect(const Box&);
   /// The nearest place, looking along the axes, from which all is in the picture with a margin.
   Vector3d eye() const;
   double half_height() const { return half_height_; }  ///< tangent of half the angle of view
@@ -42,11 +47,13 @@ class Framing {
   Axes axes_;
   double half_height_, half_width_;
   Box box_;
+  std::optional<Vector3d> eye_;  ///< of the scene
+  double nearest_ = 1e300;
   std::array<Vector3d, 4> sides_;  ///< normals of the four sides of the pyramid of view
   std::array<double, 4> reach_;    ///< how far what was added lies along each
 };
 
-/// With all colliders near what was added.
+/// With all colliders near what was added, at any time of the run.
 void add_colliders(const io::Scene&, Framing&);
 
 }  // namespace weft::render

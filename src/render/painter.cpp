@@ -25,7 +25,6 @@ struct Painter::Parts {
     ground_model.block<3, 1>(0, 0) = 14 * stage.radius * across;
     ground_model.block<3, 1>(0, 1) = 14 * stage.radius * stage.ground_normal.cross(across);
     ground_model.block<3, 1>(0, 2) = stage.ground_normal;
-    ground_model.block<3, 1>(0, 3) = stage.ground;
   }
 
   void light(const Program& program) const {
@@ -60,10 +59,13 @@ struct Painter::Parts {
   }
 
   // The ground hides nothing from below.
-  void draw_ground() const {
-    if (!((stage.eye - stage.ground).dot(stage.ground_normal) > 0)) return;
+  void draw_ground(double time) const {
+    const Eigen::Vector3f now = stage.ground + float(time) * stage.ground_velocity;
+    if (!((stage.eye - now).dot(stage.ground_normal) > 0)) return;
+    Eigen::Matrix4f place = ground_model;
+    place.block<3, 1>(0, 3) = now;
     light(ground);
-    ground.set("model", ground_model);
+    ground.set("model", place);
     ground.set("normal", stage.ground_normal);
     ground.set("soft", 1);
     glEnable(GL_DEPTH_TEST);
@@ -112,7 +114,7 @@ Image Painter::draw(const io::Surface& surface, double time) {
   p.canvas.begin();
   p.shadows.bind();
   p.draw_sky();
-  p.draw_ground();
+  p.draw_ground(time);
   for (const Program* program : {&p.cloth, &p.solid, &p.capsule}) p.light(*program);
   p.draw_casters(p.stage.camera, p.cloth, p.solid, p.capsule);
   p.solids.draw_discs(p.solid, p.stage.eye);

@@ -1,6 +1,9 @@
 #include "render/sight.h"
 
 #include "render/reach.h"
+#include "render/stage.h"
+
+#include "io/text_cursor.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,6 +19,9 @@ Sight::Sight(const io::Scene& scene, const Framing& framing)
 // A surface whose vertices are all beyond one side of the pyramid of view is certainly out of it.
 void Sight::add(const io::Surface& surface) {
   const io::CameraScene& camera = scene_.camera;
+  Box box;
+  for (const double3& p : surface.positions) box.add(vector(p));
+  largest_ = std::max(largest_, box.empty() ? 0 : box.radius());
   if (!camera.eye) return;
   const Vector3d eye = vector(*camera.eye);
   unsigned outside = 31;
@@ -38,10 +44,19 @@ void Sight::add(const io::Surface& surface) {
       std::max({pixels_, 0.5 * (right - left) * camera.width, 0.5 * (high - low) * camera.height});
 }
 
-std::vector<std::string> Sight::problems() const {
+std::vector<std::string> Sight::problems(const Framing& framing) const {
+  if (scene_.camera.eye) return problems_of_eye(framing);
+  const double distance = (framing.eye() - framing.box().center()).norm();
+  const double pixels = largest_ / (half_height_ * distance) * scene_.camera.height;
+  if (largest_ == 0 || !(pixels < 2)) return {};
+  return {
+      "$.camera: the cloths are less than 2 pixels large (all of their long way is in the picture) "
+      "give it an \"eye\" and a \"target\""};
+}
+
+std::vector<std::string> Sight::problems_of_eye(const Framing& framing) const {
   std::vector<std::string> lines;
   const io::CameraScene& camera = scene_.camera;
-  if (!camera.eye) return lines;
   if (!seen_) {
     lines.push_back(
         "$.camera: no cloth is in any picture (all are out of its view) move \"eye\" or "
@@ -50,10 +65,19 @@ std::vector<std::string> Sight::problems() const {
     lines.push_back(
         "$.camera: the cloths are less than 2 pixels large (they are far away for the "
         "angle of view) move \"eye\" nearer or lower \"field_of_view\"");
+  } else if (framing.nearest() < nearest_drawn(framing.box().radius())) {
+    lines.push_back(
+        "$.camera.eye: cloth comes so near that it is cut open (all that moves covers " +
+        io::number_text(std::round(2000 * framing.box().radius()) / 1000) +
+        " m) move \"eye\" away from it");
   }
+  const Vector3d eye = vector(*camera.eye);
   for (size_t i = 0; i < scene_.colliders.size(); ++i) {
-    const auto depth = depth_in(scene_.colliders[i], 0, vector(*camera.eye));
-    if (!depth || depth->value <= 0) continue;
+    const auto depth = depth_in(scene_.colliders[i], 0, eye);
+    const auto* mesh = std::get_if<io::MeshColliderScene>(&scene_.colliders[i]);
+    const bool inside =
+        depth ? depth->value > 0 : mesh && mesh->closed && Ridges(*mesh).enclose(eye, 0);
+    if (!inside) continue;
     lines.push_back("$.camera.eye: is inside of $.colliders[" + std::to_string(i) +
                     "] at the start (it hides what is outside) move one of them");
   }

@@ -1,4 +1,4 @@
-// Whether a camera that a scene places sees anything.
+// Whether a camera sees anything.
 #pragma once
 
 #include "render/framing.h"
@@ -8,23 +8,26 @@
 
 namespace weft::render {
 
-/// Gathers moments of a run. Looks only at cameras with an eye of their own: the others are placed
-/// so that they see all.
+/// Gathers moments of a run. Cameras without an eye of their own are placed so that they see all.
 class Sight {
  public:
   Sight(const io::Scene&, const Framing&);
 
   void add(const io::Surface&);
 
-  /// A line each, with path, reason and remedy; empty when there is something to look at.
-  std::vector<std::string> problems() const;
+  /// A line each, with path, reason and remedy; empty when there is something to look at. `framing`
+  /// has seen the same moments.
+  std::vector<std::string> problems(const Framing& framing) const;
 
  private:
+  std::vector<std::string> problems_of_eye(const Framing&) const;
+
   const io::Scene& scene_;
   Axes axes_;
   double half_width_, half_height_;
   bool seen_ = false;
-  double pixels_ = 0;  ///< the longest side of what was in view, at its largest
+  double pixels_ = 0;   ///< the longest side of what was in view, at its largest
+  double largest_ = 0;  ///< m: radius of a ball around all cloths, at its largest
 };
 
 }  // namespace weft::render

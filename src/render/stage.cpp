@@ -61,6 +61,7 @@ void place_ground(const io::Scene& scene, const Vector3d& up, double gap, Stage&
     const double length = vector(plane->normal).norm();
     normal = vector(plane->normal) / length;
     offset = plane->offset / length - 0.02 * gap;
+    stage.ground_velocity = (normal.dot(vector(plane->velocity)) * normal).cast<float>();
   }
   stage.ground = ((offset - normal.dot(stage.origin)) * normal).cast<float>();
   stage.ground_normal = normal.cast<float>();
@@ -80,9 +81,9 @@ Stage make_stage(const io::Scene& scene, Framing framing) {
       (scene.camera.eye ? vector(*scene.camera.eye) : framing.eye()) - stage.origin;
   stage.eye = eye.cast<float>();
   const double radius = stage.radius, distance = eye.norm();
-  stage.camera =
-      perspective(framing, std::max(0.01 * radius, distance - 3 * radius), distance + 40 * radius) *
-      looking(framing.axes(), eye);
+  const double near = std::clamp(0.7 * framing.nearest(), nearest_drawn(radius),
+                                 std::max(0.01 * radius, distance - 3 * radius));
+  stage.camera = perspective(framing, near, distance + 40 * radius) * looking(framing.axes(), eye);
   const Vector3d up = up_of(scene);
   place_light(framing.axes(), up, stage);
   place_ground(scene, up, 0.01 * size, stage);

@@ -112,6 +112,32 @@ TEST(Stage, GroundIsThePlaneThatFacesUpOrAFloorBelow) {
   const Stage stage = make_stage(scene, framing);
   EXPECT_NEAR(double(stage.ground.y()) + stage.origin.y(), 2, 1e-3);
   EXPECT_EQ(stage.ground_normal, Vector3f(0, 1, 0));
+  EXPECT_EQ(stage.ground_velocity, Vector3f(0, 0, 0));
+}
+
+TEST(Stage, AGroundThatMovesIsStillTheGround) {
+  io::Scene scene = plain_scene();
+  PlaneDesc ground;
+  ground.normal = {0, 2, 0};
+  ground.offset = 4;
+  ground.velocity = {3, 1.5, 0};
+  scene.colliders = {ground};
+  const Stage stage = make_stage(scene, Framing(scene, cloud({0, 5, 0}, {1, 1, 1})));
+  EXPECT_NEAR(double(stage.ground.y()) + stage.origin.y(), 2, 1e-3);
+  EXPECT_EQ(stage.ground_velocity, Vector3f(0, 1.5F, 0));
+}
+
+TEST(Framing, TakesInCollidersThatPassBy) {
+  io::Scene scene = plain_scene();
+  Framing framing(scene, cloud({0, 0, 0}, {1, 1, 1}));
+  SphereDesc sphere;
+  sphere.center = {-10, 1.4, 0};
+  sphere.velocity = {20, 0, 0};
+  sphere.radius = 0.2;
+  scene.colliders = {sphere};
+  add_colliders(scene, framing);
+  EXPECT_NEAR(framing.box().high.y(), 1.6, 1e-12) << "halfway through a second it is above";
+  EXPECT_LT(framing.box().high.x(), 3) << "where it ends is far away";
 }
 
 }  // namespace

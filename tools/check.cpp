@@ -7,6 +7,7 @@
 #include "windless.h"
 
 #include "io/build.h"
+#include "io/scene_size.h"
 
 #include <cmath>
 
@@ -50,6 +51,9 @@ std::vector<Finding> find_all(const io::Scene& scene, io::Simulation& made,
   }
   for (Windless& cloth : windless_cloths(scene, made)) {
     findings.push_back({"warning", cloth.cloth, 0, std::move(cloth.text), true});
+  }
+  if (const auto problem = io::beyond_memory(scene)) {
+    findings.push_back({"warning", std::nullopt, 0, *problem});
   }
   if (const auto problem = beyond_bound(scene, made, stability)) {
     findings.push_back(

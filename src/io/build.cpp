@@ -1,5 +1,7 @@
 #include "io/build.h"
 
+#include "io/scene_size.h"
+
 namespace weft::io {
 namespace {
 
@@ -57,11 +59,6 @@ WorldDesc world_desc(const Scene& scene) {
   desc.accumulate = scene.solver.accumulate;
   desc.deterministic = scene.solver.deterministic;
   return desc;
-}
-
-bool same_mesh(const MeshColliderScene& a, const MeshColliderScene& b) {
-  return a.mesh == b.mesh && a.scale == b.scale && a.thickness == b.thickness &&
-         a.closed == b.closed;
 }
 
 class ColliderMaker {
@@ -137,6 +134,7 @@ void Simulation::require(Status status, const std::string& where) const {
 }
 
 Simulation build(const Scene& scene, ContextDesc desc) {
+  require_buildable(scene);
   Simulation made;
   made.log = std::make_unique<MessageLog>();
   desc.log = made.log->callback();

@@ -35,13 +35,6 @@ class Descriptor {
                    ") give the path of an existing file");
 }
 
-uint64_t memory_size() {
-  const long pages = ::sysconf(_SC_PHYS_PAGES);
-  const long page = ::sysconf(_SC_PAGESIZE);
-  if (pages <= 0 || page <= 0) return uint64_t(1) << 34;
-  return uint64_t(pages) * uint64_t(page);
-}
-
 uint64_t checked_size(const std::string& path, int descriptor, uint64_t largest) {
   struct stat status {};
   if (::fstat(descriptor, &status) != 0) fail_open(path);
@@ -61,8 +54,15 @@ uint64_t checked_size(const std::string& path, int descriptor, uint64_t largest)
 
 }  // namespace
 
+uint64_t memory_size() {
+  const long pages = ::sysconf(_SC_PHYS_PAGES);
+  const long page = ::sysconf(_SC_PAGESIZE);
+  if (pages <= 0 || page <= 0) return uint64_t(1) << 34;
+  return uint64_t(pages) * uint64_t(page);
+}
+
 uint64_t largest_mesh_file() { return memory_size() / 4; }
-uint64_t largest_scene_file() { return std::min(memory_size() / 32, uint64_t(1) << 28); }
+uint64_t largest_scene_file() { return std::min(memory_size() / 64, uint64_t(1) << 28); }
 
 FileText read_file(const std::string& path, uint64_t largest) {
   const Descriptor file(path);

@@ -22,9 +22,11 @@ class FileText {
   size_t size_;
 };
 
+/// Bytes that this machine has.
+uint64_t memory_size();
 /// Bytes. The file of a mesh or point cache may take a quarter of this machine's memory, and what
-/// is made of it, another quarter. A JSON document takes up to 27 times its text: at most 256 MiB,
-/// and a thirty-second of the memory.
+/// is made of it, another quarter. A JSON document with the scene it becomes takes up to 45 times
+/// its text: at most 256 MiB, and a sixty-fourth of the memory.
 uint64_t largest_mesh_file();
 uint64_t largest_scene_file();
 

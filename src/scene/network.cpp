@@ -52,16 +52,21 @@ void cook_network(const NetworkDesc& desc, CookedFabric& fabric) {
   });
   std::vector<SpringRecord> springs;
   springs.reserve(all.size());
+  uint32_t repeats = 0, first = 0;
   for (const uint32_t i : order) {
     if (!springs.empty() && springs.back().a == all[i].a && springs.back().b == all[i].b) {
-      fabric.diagnostics.push_back({Severity::warning, i,
-                                    text("spring %u joins vertices %u and %u, which a spring joins "
-                                         "already (it is merged with "
-                                         "the first) remove it, or add the stiffness to the first",
-                                         i, all[i].a, all[i].b)});
+      first = repeats++ == 0 ? i : std::min(first, i);
       continue;
     }
     springs.push_back(all[i]);
+  }
+  if (repeats > 0) {
+    fabric.diagnostics.push_back(
+        {Severity::warning, first,
+         text("%u springs join two vertices that a spring joins already, the first is %u, of "
+              "vertices %u and %u (each is merged with the first of its pair) remove them, or add "
+              "their stiffness to the first",
+              repeats, first, all[first].a, all[first].b)});
   }
   build_rows(springs, fabric);
   set_masses(desc.material.mass, fabric);

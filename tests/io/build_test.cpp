@@ -1,6 +1,8 @@
 // From scenes to worlds.
 #include "io/build.h"
 
+#include "io/scene_size.h"
+
 #include "scene_support.h"
 
 namespace weft::io::test {
@@ -47,6 +49,42 @@ TEST_F(Build, NamesTheColliderThatCannotBeCooked) {
     EXPECT_EQ(error.status, Status::invalid_argument);
     EXPECT_CONTAINS(error.what(), "s.json: $.colliders[1]: ");
   }
+}
+
+TEST_F(Build, ASpringGivenTwiceIsOneDiagnosticHoweverOften) {
+  Json json = still_scene();
+  Json springs = Json::array();
+  for (int i = 0; i < 1000; ++i) springs.push_back({i % 2, 1 - i % 2});
+  json["cloths"][0].erase("grid");
+  json["cloths"][0]["network"] = {{"positions", {{0, 0, 0}, {1, 0, 0}}}, {"springs", springs}};
+  const Simulation made = build(read(json), {});
+  const View<Diagnostic> diagnostics = made.fabrics[0].diagnostics();
+  ASSERT_EQ(diagnostics.count, 1u);
+  EXPECT_EQ(diagnostics[0].element, 1u);
+  EXPECT_CONTAINS(diagnostics[0].text, "999 springs join two vertices that a spring joins already");
+  EXPECT_EQ(made.fabrics[0].spring_count(), 1u);
+}
+
+TEST_F(Build, SaysWhatAMachineCannotHoldBeforeItTries) {
+  Json json = still_scene();
+  json["cloths"][0]["grid"]["rows"] = json["cloths"][0]["grid"]["columns"] = 20000;
+  EXPECT_EQ(bytes_to_run(read(json)), uint64_t(400000000) * 250);
+  EXPECT_EQ(bytes_to_build(read(json)), 0u) << "a grid's springs are a rule";
+  for (int i = 0; i < 9; ++i) json["cloths"].push_back(json["cloths"][0]);
+  const Scene many = read(json);
+  EXPECT_CONTAINS(input_error([&] { build(many, {}); }),
+                  "s.json: $.cloths: a scene of 4000000000 particles (it holds at most 2^30)");
+  EXPECT_CONTAINS(beyond_memory(many).value_or(""), "$: takes 1000 GB to run (this machine has ");
+
+  std::string file = "v 0 -9 0\nv 1 -9 0\nv 0 -9 1\n";
+  for (int i = 0; i < 1000; ++i) file += "f 1 2 3\n";
+  folder.write("a.obj", file);
+  json = still_scene();
+  const size_t bare = bytes_to_build(read(json));
+  json["colliders"] = Json::parse(R"([ { "mesh": { "file": "a.obj" } },
+                                       { "mesh": { "file": "a.obj" }, "friction": 1 } ])");
+  EXPECT_EQ(bytes_to_build(read(json)), bare + 1000 * 1200) << "they share their triangles";
+  EXPECT_FALSE(beyond_memory(read(json)));
 }
 
 TEST_F(Build, PassesWindOn) {

@@ -111,6 +111,11 @@ class Builder final : public nlohmann::json_sax<Json> {
 
 Json parse_json(std::string_view text, const std::string& name) {
   if (text.empty()) throw InputError(name + ": is empty (a JSON document is needed) fill it");
+  // The parser takes a zero byte for the end.
+  if (const size_t zero = text.find('\0'); zero != std::string_view::npos) {
+    throw InputError(name + ": line " + std::to_string(line_number(text, zero)) +
+                     ": has a zero byte (this is not text) give a JSON document");
+  }
   Builder builder(text, name);
   Json::sax_parse(text.begin(), text.end(), &builder);
   return builder.take();

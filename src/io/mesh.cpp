@@ -3,25 +3,33 @@
 #include "io/error.h"
 #include "io/file_text.h"
 
-#include <algorithm>
+#include <cstring>
 
 namespace weft::io {
 namespace {
 
 bool is_ply(std::string_view text) {
-  return text.substr(0, 3) == "ply" && text.size() > 3 && (text[3] == '\n' || text[3] == '\r');
+  return text.substr(0, 3) == "ply" && text.size() > 4 && (text[3] == '\n' || text[3] == '\r');
 }
 
 bool is_named_ply(const std::string& path) {
   return path.size() >= 4 && (path.ends_with(".ply") || path.ends_with(".PLY"));
 }
 
+bool is_binary(std::string_view text) {
+  if (!is_ply(text)) return false;
+  const size_t format = text.find(text[3] == '\r' && text[4] != '\n' ? "\rformat " : "\nformat ");
+  return format == std::string_view::npos || !text.substr(format + 8).starts_with("ascii");
+}
+
 // Old programs end a line with a carriage return alone.
 void mend_line_ends(FileText& file) {
-  const std::string_view text = file.view();
-  const bool binary = is_ply(text) && text.substr(0, 200).find("ascii") == std::string_view::npos;
-  if (binary || text.find('\n') != std::string_view::npos) return;
-  std::replace(file.begin(), file.end(), '\r', '\n');
+  if (is_binary(file.view())) return;
+  char* at = file.begin();
+  while ((at = static_cast<char*>(std::memchr(at, '\r', size_t(file.end() - at))))) {
+    if (at + 1 == file.end() || at[1] != '\n') *at = '\n';
+    if (++at == file.end()) break;
+  }
 }
 
 }  // namespace

@@ -45,10 +45,10 @@ class LineWriter {
   char* end_ = text_;
 };
 
-// A name stands on one line.
+// A name stands on one line, which a backslash at its end would continue.
 std::string one_line(std::string name) {
   for (char& c : name) {
-    if (static_cast<unsigned char>(c) < ' ') c = '_';
+    if (static_cast<unsigned char>(c) < ' ' || c == '\\') c = '_';
   }
   return name;
 }

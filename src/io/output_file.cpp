@@ -103,8 +103,9 @@ void OutputFile::commit() {
 void OutputFile::fail(const char* doing) {
   const int code = errno;
   discard();
-  throw OutputError(path_ + ": cannot be " + doing + " (" + std::strerror(code) +
-                    ") free space or give another path");
+  const bool full = code == ENOSPC || code == EDQUOT || code == EFBIG;
+  throw OutputError(path_ + ": cannot be " + doing + " (" + std::strerror(code) + ") " +
+                    (full ? "free space or " : "") + "give another path");
 }
 
 void OutputFile::discard() noexcept {

@@ -34,13 +34,12 @@ void read_up(const Node& node, CameraScene& camera) {
   camera.up = key->vector();
   const double size = length(*camera.up);
   if (!(size > 0) || !std::isfinite(size)) {
-    key->fail(key->value_text() +
-              " has no direction (it is zero, or too long) give another vector");
+    key->fail("has no direction (it is zero, or too long) give another vector");
   }
   if (!camera.eye) return;
   const double3 view = minus(*camera.eye, *camera.target);
   if (!(length(cross(view, *camera.up)) > 1e-6 * size * length(view))) {
-    key->fail(key->value_text() + " is the direction of view (nothing is upright in it) turn it");
+    key->fail("lies along the view from \"eye\" to \"target\" (nothing is upright then) turn it");
   }
 }
 

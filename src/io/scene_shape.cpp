@@ -14,10 +14,10 @@ constexpr int64_t most_vertices = int64_t(1) << 30;
 GridShape read_grid(const Node& node) {
   node.require_object({"rows", "columns", "width", "height", "stencil"});
   GridShape grid;
-  grid.rows = uint32_t(node.at("rows", "an integer >= 1")
-                           .integer(1, most_vertices, "a grid needs at least one row"));
+  constexpr const char* why = "a grid has 1 to 2^30 vertices";
+  grid.rows = uint32_t(node.at("rows", "an integer >= 1").integer(1, most_vertices, why));
   const Node columns = node.at("columns", "an integer >= 1");
-  grid.columns = uint32_t(columns.integer(1, most_vertices, "a grid needs at least one column"));
+  grid.columns = uint32_t(columns.integer(1, most_vertices, why));
   if (int64_t(grid.rows) * int64_t(grid.columns) > most_vertices) {
     columns.out_of_range("with " + std::to_string(grid.rows) +
                              " rows there are more than 2^30 "

@@ -27,6 +27,7 @@ TEST(JsonDocument, RefusesWhatIsNotJson) {
   EXPECT_CONTAINS(error("{\"a\": [0, Infinity]}"), "$.a[1]");
   EXPECT_CONTAINS(error("{\"a\": \"\xFF\"}"), "UTF-8");
   EXPECT_CONTAINS(error("// comment\n{}"), "is not JSON");
+  EXPECT_CONTAINS(error(std::string("{}\n\0 {", 6)), "s.json: line 2: has a zero byte");
   EXPECT_CONTAINS(error("{\"a\": [1"), "$.a");
 }
 

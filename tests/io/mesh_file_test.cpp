@@ -52,6 +52,14 @@ TEST(MeshFile, ReadsLinesThatEndWithACarriageReturn) {
       "property float y\rproperty float z\rend_header\r1 2 3\r";
   EXPECT_EQ(read_mesh(folder.write("old.ply", ply)).positions[0].z, 3);
   EXPECT_CONTAINS(error(folder.write("bad.obj", "v 1 2 3\rv 4 5\r")), "line 2");
+  EXPECT_EQ(read_mesh(folder.write("mixed.obj", "v 1 2 3\rv 4 5 6\nv 7 8 9\r\nv 1 1 1\r\n"))
+                .positions.size(),
+            4u);
+  // The 13 in a binary file is no end of a line.
+  const std::string binary =
+      "ply\ncomment ascii\nformat binary_little_endian 1.0\nelement vertex 1\nproperty uchar x\n"
+      "property uchar y\nproperty uchar z\nend_header\n\r\r\r";
+  EXPECT_EQ(read_mesh(folder.write("binary.ply", binary)).positions[0].x, 13);
 }
 
 // Limits that a test can reach instead of half of the machine's memory.

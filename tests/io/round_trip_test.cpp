@@ -40,7 +40,8 @@ Surface any_surface(Precision precision) {
   for (uint32_t i = 0; i < 1000; ++i) {
     surface.triangles.push_back({i, (i + 1 + uint32_t(random() % 500)), 2999 - i});
   }
-  surface.parts = {{"a", 0, 1000, 0, 400, 0, 0}, {"b", 1000, 2000, 400, 600, 0, 0}};
+  // Names that a line would not end with, or end in the middle.
+  surface.parts = {{"a\\", 0, 1000, 0, 400, 0, 0}, {"b\r\nv 1", 1000, 2000, 400, 600, 0, 0}};
   return surface;
 }
 

@@ -39,7 +39,7 @@ TEST(SceneCamera, RefusesWhatShowsNothing) {
              {"/camera/target", "[1, 2, 3]", "$.camera.target", "is no direction from \"eye\""},
              {"/camera/eye", "[1e308, 1e308, 1e308]", "$.camera.target", "is no direction"},
              {"/camera/up", "[0, 0, 0]", "$.camera.up", "has no direction"},
-             {"/camera/up", "[-0.5, -1, -1]", "$.camera.up", "is the direction of view"},
+             {"/camera/up", "[-0.5, -1, -1]", "$.camera.up", "lies along the view"},
              {"/camera/field_of_view", "0", "$.camera.field_of_view", "0 is out of range"},
              {"/camera/field_of_view", "151", "$.camera.field_of_view", "151 is out of range"},
              {"/camera/field_of_view", "0.009", "$.camera.field_of_view", "0.009 is out of range"},

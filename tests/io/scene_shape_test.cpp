@@ -20,7 +20,7 @@ TEST(SceneShape, RefusesBadGrids) {
       scene_of(grid_cloth()),
       {{"/cloths/0/grid", "[]", "$.cloths[0].grid", "wrong type"},
        {"/cloths/0/grid/rows", "0", "$.cloths[0].grid.rows",
-        "0 is out of range (a grid needs at least one row) give an integer >= 1"},
+        "0 is out of range (a grid has 1 to 2^30 vertices) give an integer >= 1"},
        {"/cloths/0/grid/rows", "", "$.cloths[0].grid.rows", "is missing"},
        {"/cloths/0/grid/rows", "2.5", "$.cloths[0].grid.rows", "2.5 has the wrong type"},
        {"/cloths/0/grid/rows", "1000000000", "$.cloths[0].grid.columns", "more than 2^30"},

@@ -13,16 +13,15 @@
 namespace weft::tools {
 namespace {
 
-bool has(const FrameSettings& settings, FrameFormat format) {
-  const auto& formats = settings.formats;
-  return std::find(formats.begin(), formats.end(), format) != formats.end();
-}
-
 bool has_pictures(const FrameSettings& settings) {
-  return has(settings, FrameFormat::png) || has(settings, FrameFormat::mp4);
+  return settings.has(FrameFormat::png) || settings.has(FrameFormat::mp4);
 }
 
 }  // namespace
+
+bool FrameSettings::has(FrameFormat format) const {
+  return std::find(formats.begin(), formats.end(), format) != formats.end();
+}
 
 std::string frame_path(const std::string& folder, uint64_t number, const char* extension) {
   char name[48];
@@ -48,16 +47,17 @@ FrameOutput::FrameOutput(const FrameSettings& settings, const io::Scene& scene,
   io::make_folder(settings.folder);
   io::probe_output(frame_path(settings.folder, 0, "probe"));
   const MeshFormat format{scene.solver.precision, settings.normals};
-  if (has(settings, FrameFormat::obj)) sinks_.push_back(make_obj_frames(settings.folder, format));
-  if (has(settings, FrameFormat::ply)) sinks_.push_back(make_ply_frames(settings.folder, format));
+  if (settings.has(FrameFormat::obj)) sinks_.push_back(make_obj_frames(settings.folder, format));
+  if (settings.has(FrameFormat::ply)) sinks_.push_back(make_ply_frames(settings.folder, format));
   read(made);
-  if (has(settings, FrameFormat::pc2)) {
-    sinks_.push_back(make_point_caches(settings.folder, surface_, scene.solver.precision));
-  }
+  // Pictures first: no file is open while they rehearse.
   if (has_pictures(settings)) {
-    const PictureSettings pictures{settings.folder, has(settings, FrameFormat::png),
-                                   has(settings, FrameFormat::mp4), clock_};
+    const PictureSettings pictures{settings.folder, settings.has(FrameFormat::png),
+                                   settings.has(FrameFormat::mp4), clock_};
     sinks_.push_back(make_pictures(pictures, scene, surface_, desc));
+  }
+  if (settings.has(FrameFormat::pc2)) {
+    sinks_.push_back(make_point_caches(settings.folder, surface_, scene.solver.precision));
   }
 }
 

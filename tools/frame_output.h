@@ -20,6 +20,8 @@ struct FrameSettings {
   std::vector<FrameFormat> formats;
   double every = 0;  ///< seconds; 0: each frame of the simulation
   bool normals = false;
+
+  bool has(FrameFormat) const;
 };
 
 /// Writes the start as frame 0, then a frame whenever `every` more seconds have passed, numbered

@@ -5,6 +5,7 @@
 #include "stop_signal.h"
 
 #include "io/error.h"
+#include "io/text_cursor.h"
 
 #include "render/painter.h"
 #include "render/session.h"
@@ -37,6 +38,7 @@ struct Views {
 /// By running the scene once. What goes wrong in it will be told by the run.
 Views rehearse(const io::Scene& scene, const io::Surface& start, FrameClock clock,
                const ContextDesc& desc) {
+  const LongWork work("the rehearsal for pictures");
   Views views(scene, start);
   io::Simulation made = io::build(scene, desc);
   io::Surface surface = io::make_surface(scene, made);
@@ -47,7 +49,10 @@ Views rehearse(const io::Scene& scene, const io::Surface& start, FrameClock cloc
     read_surface(made, scene.file, surface);
     views.add(surface, double(frame) * scene.time.frame);
   }
-  for (const std::string& problem : views.sight.problems()) {
+  for (const std::string& problem : views.sight.problems(views.framing)) {
+    print_message("warning: " + scene.file + ": " + problem);
+  }
+  for (const std::string& problem : views.reach.problems()) {
     print_message("warning: " + scene.file + ": " + problem);
   }
   return views;
@@ -88,6 +93,12 @@ void require_pictures() { const render::Session session; }
 
 std::unique_ptr<FrameSink> make_pictures(const PictureSettings& settings, const io::Scene& scene,
                                          const io::Surface& start, const ContextDesc& desc) {
+  constexpr double longest = 3600;  // ffmpeg does not take much more
+  if (settings.mp4 && settings.clock.period() > longest) {
+    throw io::InputError("--every: " + io::number_text(settings.clock.period()) +
+                         " s between the pictures of a film are too many (it shows one for an hour "
+                         "at most) give less, or write png");
+  }
   const Views views = rehearse(scene, start, settings.clock, desc);
   return std::make_unique<Pictures>(settings, scene, start, views);
 }

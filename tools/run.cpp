@@ -14,6 +14,7 @@
 #include "io/csv_writer.h"
 #include "io/error.h"
 #include "io/output_file.h"
+#include "io/scene_size.h"
 #include "io/text_cursor.h"
 
 #include <algorithm>
@@ -38,11 +39,25 @@ struct RunRequest {
           "--out: is missing (--every, --format, --size and --normals are about its files) give a "
           "folder");
     }
+    refuse_vain(options);
   }
+
   ContextDesc context;
   std::optional<double> duration;
   std::optional<PictureSize> size;
   FrameSettings frames;
+
+ private:
+  void refuse_vain(const RunOptions& options) const {
+    if (size && !frames.has(FrameFormat::png) && !frames.has(FrameFormat::mp4)) {
+      throw io::InputError("--size: " + io::quoted(options.size) +
+                           " is about pictures (--format has neither png nor mp4) add one of them");
+    }
+    if (frames.normals && !frames.has(FrameFormat::obj) && !frames.has(FrameFormat::ply)) {
+      throw io::InputError(
+          "--normals: is about meshes (--format has neither obj nor ply) add one of them");
+    }
+  }
 };
 
 io::Scene read_scene(const RunOptions& options, const RunRequest& request) {
@@ -66,6 +81,9 @@ void check_paths(const RunOptions& options, const RunRequest& request, const io:
 }
 
 io::Simulation build_runnable(const io::Scene& scene, const RunRequest& request) {
+  if (const auto problem = io::beyond_memory(scene)) {
+    throw io::InputError(scene.file + ": " + *problem);
+  }
   io::Simulation made = io::build(scene, request.context);
   if (!scene.solver.unsafe) {
     if (const auto problem = beyond_bound(scene, made, made.world.stability())) {
@@ -95,26 +113,38 @@ void update_frames(FrameOutput* frames, uint64_t frame, io::Simulation& made, io
   report.largest_stretch = std::max(report.largest_stretch, made.world.mechanics()->stretch);
 }
 
+void prepare(const io::Scene& scene, io::Simulation& made) {
+  const LongWork building("the preparation");
+  made.require(made.world.prepare(scene.time.frame), scene.file);
+}
+
 /// Why a run ended before its time; empty when it did not.
 std::string simulate(const io::Scene& scene, io::Simulation& made, FrameOutput* frames,
                      io::Report& report) {
   const uint64_t count = io::frame_count(scene.time, "$.time.duration");
-  made.require(made.world.prepare(scene.time.frame), scene.file);
+  const std::function<void()> rescue = [frames] {
+    if (frames) frames->commit();
+  };
+  prepare(scene, made);
   update_frames(frames, 0, made, report);
   Progress progress(count);
   for (uint64_t frame = 1; frame <= count; ++frame) {
-    const Status status = made.world.step(scene.time.frame);
+    const std::string which = std::to_string(frame) + " of " + std::to_string(count);
+    Status status = Status::ok;
+    {
+      const LongWork step("frame " + which, rescue);
+      status = made.world.step(scene.time.frame);
+    }
     collect_events(made, report.events);
     if (status == Status::diverged) {
-      return "stopped in frame " + std::to_string(frame) + " of " + std::to_string(count) + ": " +
-             made.log->last_error(status);
+      return "stopped in frame " + which + ": " + made.log->last_error(status);
     }
     made.require(status, scene.file);
     update_frames(frames, frame, made, report);
     progress.update(frame);
     if (stop_signal() != 0 && frame < count) {
-      return "stopped after frame " + std::to_string(frame) + " of " + std::to_string(count) +
-             " (signal " + std::to_string(stop_signal()) + ") run it again for the rest";
+      return "stopped after frame " + which + " (signal " + std::to_string(stop_signal()) +
+             ") run it again for the rest";
     }
   }
   return "";

@@ -1,17 +1,88 @@
 #include "stop_signal.h"
 
+#include "commands.h"
+#include "output.h"
+
+#include <chrono>
+#include <atomic>
 #include <csignal>
+#include <cstdlib>
+#include <exception>
+#include <mutex>
+#include <thread>
+#include <utility>
 
 namespace weft::tools {
+namespace {
 
-static volatile std::sig_atomic_t came = 0;
-static void note(int number) { came = number; }
+using Clock = std::chrono::steady_clock;
+constexpr auto look = std::chrono::milliseconds(100);
+constexpr auto patience = std::chrono::seconds(2);
+
+std::atomic<int> came{0};
+static_assert(std::atomic<int>::is_always_lock_free, "a signal handler writes it");
+
+extern "C" void note(int number) { came = number; }
+
+/// What the main thread does, as the watching one sees it.
+struct Work {
+  std::mutex mutex;
+  bool goes_on = false;
+  std::string what;
+  std::function<void()> rescue;
+};
+
+// Never destroyed: the thread that looks at it ends with the program.
+Work& work() {
+  static Work& only = *new Work;
+  return only;
+}
+
+[[noreturn]] void end_in_the_middle(const Work& now) {
+  try {
+    if (now.rescue) now.rescue();
+  } catch (const std::exception& error) {
+    print_message(error.what());
+  }
+  print_message("stopped in the middle of " + now.what + " (signal " + std::to_string(came) +
+                ", and it takes long) run it again with less to do at once");
+  std::_Exit(stopped);
+}
+
+void watch() {
+  Clock::time_point asked{};
+  for (;;) {
+    std::this_thread::sleep_for(look);
+    if (came == 0) continue;
+    if (asked == Clock::time_point{}) asked = Clock::now();
+    if (Clock::now() - asked < patience) continue;
+    const std::lock_guard<std::mutex> lock(work().mutex);
+    if (work().goes_on) end_in_the_middle(work());
+  }
+}
+
+}  // namespace
 
 void catch_stop_signals() {
   std::signal(SIGINT, note);
   std::signal(SIGTERM, note);
+  work();
+  std::thread(watch).detach();
 }
 
-int stop_signal() { return int(came); }
+int stop_signal() { return came; }
+
+LongWork::LongWork(std::string what, std::function<void()> rescue) {
+  const std::lock_guard<std::mutex> lock(work().mutex);
+  work().what = std::move(what);
+  work().rescue = std::move(rescue);
+  work().goes_on = true;
+}
+
+// Waits for ever when the program is ending.
+LongWork::~LongWork() {
+  const std::lock_guard<std::mutex> lock(work().mutex);
+  work().goes_on = false;
+}
 
 }  // namespace weft::tools

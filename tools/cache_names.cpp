@@ -1,6 +1,7 @@
 #include "cache_names.h"
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 namespace weft::tools {
@@ -35,11 +36,14 @@ bool is_frame_stem(const std::string& name) {
 std::vector<std::string> cache_names(const std::vector<std::string>& cloths) {
   std::vector<std::string> names;
   std::set<std::string> taken;
+  std::map<std::string, int> last;  // number behind a name
   for (const std::string& cloth : cloths) {
     const std::string name = possible(cloth);
+    int& number = last[folded(name)];
     std::string free = name;
-    for (int i = 2; is_frame_stem(folded(free)) || !taken.insert(folded(free)).second; ++i) {
-      free = name + "_" + std::to_string(i);
+    while (is_frame_stem(folded(free)) || !taken.insert(folded(free)).second) {
+      number = std::max(number + 1, 2);
+      free = name + "_" + std::to_string(number);
     }
     names.push_back(free);
   }

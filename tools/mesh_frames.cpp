@@ -1,8 +1,12 @@
 #include "mesh_frames.h"
 
 #include "cache_names.h"
+#include "output.h"
 
+#include "io/error.h"
 #include "io/point_cache.h"
+
+#include <sys/resource.h>
 
 #include <algorithm>
 #include <cmath>
@@ -65,10 +69,43 @@ std::vector<std::string> names_of(const io::Surface& surface) {
   return cache_names(cloths);
 }
 
+/// Every cache stays open until the end.
+void require_open_files(size_t count, const std::string& folder) {
+  constexpr rlim_t others = 64;
+  const rlim_t wanted = count + others;
+  rlimit limit{};
+  if (::getrlimit(RLIMIT_NOFILE, &limit) != 0 || limit.rlim_cur >= wanted) return;
+  limit.rlim_cur = std::min(limit.rlim_max, wanted);
+  if (limit.rlim_cur == wanted && ::setrlimit(RLIMIT_NOFILE, &limit) == 0) return;
+  throw io::OutputError(folder + ": the point caches of " + std::to_string(count) +
+                        " cloths are as many open files (this system allows " +
+                        std::to_string(limit.rlim_max) + ") write ply, or raise the limit");
+}
+
+/// Where floats are more than a tenth of a millimetre apart.
+void warn_if_coarse(const io::Surface& start) {
+  constexpr double reach = 1024;
+  for (const io::SurfacePart& part : start.parts) {
+    double most = 0;
+    for (size_t i = 0; i < part.vertex_count; ++i) {
+      const double3& p = start.positions[part.first_vertex + i];
+      most = std::max({most, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+    }
+    if (most <= reach) continue;
+    const float far = static_cast<float>(most);
+    print_message("warning: cloth '" + part.name + "' is " + figure(most) +
+                  " m from zero, where the floats of a point cache are " +
+                  figure(double(std::nextafter(far, 3e38F) - far)) +
+                  " m apart (its folds will be steps) write ply, or move the scene");
+  }
+}
+
 class PointCaches final : public FrameSink {
  public:
   PointCaches(const std::string& folder, const io::Surface& start, Precision precision) {
     const std::vector<std::string> names = names_of(start);
+    require_open_files(names.size(), folder);
+    warn_if_coarse(start);
     for (size_t i = 0; i < names.size(); ++i) {
       const io::SurfacePart& part = start.parts[i];
       const auto path = std::filesystem::path(folder) / names[i];

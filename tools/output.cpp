@@ -27,16 +27,24 @@ void print_lines(const std::vector<std::pair<std::string, std::string>>& lines) 
   for (const auto& [key, value] : lines) width = std::max(width, key.size());
   std::string text;
   for (const auto& [key, value] : lines) {
-    text += key + std::string(width + 2 - key.size(), ' ') + value + "\n";
+    text += key + std::string(width + 2 - key.size(), ' ') + printable(value) + "\n";
   }
   print(text);
 }
 
-void print_message(std::string text) {
-  for (char& c : text) {
-    if (c == '\n' || c == '\r') c = ' ';
+std::string printable(std::string text) {
+  for (size_t i = 0; i < text.size(); ++i) {
+    const auto byte = static_cast<unsigned char>(text[i]);
+    // U+0080 to U+009F, two bytes in UTF-8, are control characters too.
+    const bool high = byte >= 0x80 && byte < 0xA0 && i > 0 && text[i - 1] == '\xC2';
+    if (high) text[i - 1] = '?';
+    if (byte < ' ' || byte == 127 || high) text[i] = byte == '\n' || byte == '\r' ? ' ' : '?';
   }
-  std::fprintf(stderr, "weft: %s\n", text.c_str());
+  return text;
+}
+
+void print_message(const std::string& text) {
+  std::fprintf(stderr, "weft: %s\n", printable(text).c_str());
 }
 
 std::string figure(double value, int digits) {

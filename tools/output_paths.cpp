@@ -6,7 +6,6 @@
 #include "io/output_file.h"
 #include "io/text_cursor.h"
 
-#include <algorithm>
 #include <filesystem>
 
 namespace weft::tools {
@@ -34,17 +33,23 @@ bool is_device(const fs::path& path) {
                        " (one would replace the other) give another path");
 }
 
-bool writes(const FrameSettings& settings, FrameFormat format) {
-  return std::find(settings.formats.begin(), settings.formats.end(), format) !=
-         settings.formats.end();
-}
-
 bool is_frame(const fs::path& file, const FrameSettings& settings) {
   const std::string extension = file.extension().string();
   return is_frame_stem(file.stem().string()) &&
-         ((extension == ".obj" && writes(settings, FrameFormat::obj)) ||
-          (extension == ".ply" && writes(settings, FrameFormat::ply)) ||
-          (extension == ".png" && writes(settings, FrameFormat::png)));
+         ((extension == ".obj" && settings.has(FrameFormat::obj)) ||
+          (extension == ".ply" && settings.has(FrameFormat::ply)) ||
+          (extension == ".png" && settings.has(FrameFormat::png)));
+}
+
+// A frame would be written to where the link leads: over the scene, or over another frame.
+void refuse_links(const FrameSettings& settings) {
+  std::error_code none;
+  for (const auto& entry : fs::directory_iterator(settings.folder, none)) {
+    if (!entry.is_symlink(none) || !is_frame(entry.path(), settings)) continue;
+    throw io::InputError("--out: " + io::quoted(entry.path().string()) +
+                         " is a symbolic link (a frame would be written through it) remove it, or "
+                         "give another folder");
+  }
 }
 
 }  // namespace
@@ -70,7 +75,8 @@ void OutputPaths::add_frames(const FrameSettings& settings, const io::Scene& sce
     if (file.parent_path() != there || !is_frame(file, settings)) continue;
     refuse("--out", (folder / file.filename()).string(), what);
   }
-  if (writes(settings, FrameFormat::pc2)) {
+  refuse_links(settings);
+  if (settings.has(FrameFormat::pc2)) {
     std::vector<std::string> cloths;
     for (const io::ClothScene& cloth : scene.cloths) cloths.push_back(cloth.name);
     for (const std::string& name : cache_names(cloths)) {
@@ -78,7 +84,7 @@ void OutputPaths::add_frames(const FrameSettings& settings, const io::Scene& sce
       add("--out", (folder / (name + ".pc2")).string());
     }
   }
-  if (writes(settings, FrameFormat::mp4)) add("--out", film_path(settings.folder, scene.file));
+  if (settings.has(FrameFormat::mp4)) add("--out", film_path(settings.folder, scene.file));
 }
 
 }  // namespace weft::tools

@@ -1,6 +1,10 @@
 // Runs that must fail, and what they leave behind: nothing.
 #include "cli_support.h"
 
+#include "io/point_cache.h"
+
+#include <chrono>
+
 namespace weft::io::test {
 namespace {
 
@@ -70,6 +74,43 @@ TEST_F(Failure, DivergenceStopsWithExitCode3) {
   EXPECT_EQ(events[0]["type"], "non_finite");
   EXPECT_EQ(events[0]["cloth"], 0);
   EXPECT_FALSE(std::filesystem::exists(folder / "f.csv"));
+}
+
+// A frame of a hundred million substeps is not waited for.
+TEST_F(Failure, ASignalEndsALongFrame) {
+  Json json = falling_scene();
+  json["cloths"][0]["stiffness"] = 9e15;
+  json["time"]["duration"] = 1;
+  const std::string run = "run --format pc2 --out " + (folder / "f") + " " + scene(json);
+  const auto begin = std::chrono::steady_clock::now();
+  expect_failure(run_weft(run, "exec timeout --preserve-status -s TERM 0.5 "), 3,
+                 "stopped in the middle of frame 1 of 60 (signal 15");
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(30));
+  EXPECT_EQ(read_point_cache(folder / "f/sheet.pc2").samples, 1u) << "what there was is whole";
+}
+
+// Names are printed, and a terminal obeys some characters.
+TEST_F(Failure, ControlCharactersDoNotReachTheTerminal) {
+  Json json = falling_scene();
+  json["cloths"][0]["name"] = "a\x1b[2J\nweft: b\u009b";
+  json["cloths"][0]["grid"]["rows"] = 1;
+  json["wind"] = {{"velocity", {1, 0, 0}}};
+  const Outcome check = run_weft("check " + scene(json));
+  EXPECT_EQ(check.code, 0);
+  const Outcome run = run_weft("run " + scene(json));
+  for (const std::string& text : {check.out, run.err}) {
+    EXPECT_CONTAINS(text, "a?[2J weft: b??");
+    EXPECT_EQ(text.find('\x1b'), std::string::npos);
+    EXPECT_EQ(text.find("\xc2\x9b"), std::string::npos);
+  }
+}
+
+TEST_F(Failure, OptionsThatWouldDoNothingAreRefused) {
+  const std::string file = scene(falling_scene());
+  const std::string run = "run --out " + (folder / "f") + " ";
+  expect_failure(run_weft(run + "--size 64x64 " + file), 2, "--size: '64x64' is about pictures");
+  expect_failure(run_weft(run + "--format pc2 --normals " + file), 2, "--normals: is about meshes");
+  expect_only_the_scene();
 }
 
 TEST_F(Failure, UnwritablePlacesAreFoundBeforeSimulating) {

@@ -56,6 +56,44 @@ TEST_F(Paths, WhatIsReadStays) {
   expect_refused("--format pc2 --out " + folder.string(), "is also a mesh that the scene reads");
 }
 
+// A frame that is written through a link would replace what the link names.
+TEST_F(Paths, FramesAreNotWrittenThroughLinks) {
+  const std::string file = scene(falling_scene());
+  std::filesystem::create_directory(folder / "f");
+  std::filesystem::create_symlink("../s.json", folder / "f/frame_000002.obj");
+  std::filesystem::create_symlink("frame_000000.png", folder / "f/frame_000001.png");
+  const std::string before = read_text(file);
+  const std::string out = "run --out " + (folder / "f") + " ";
+  expect_failure(run_weft(out + file), 2, "is a symbolic link");
+  expect_failure(run_weft(out + "--format png " + file), 2, "frame_000001.png' is a symbolic link");
+  EXPECT_EQ(read_text(file), before);
+  EXPECT_EQ(run_weft(out + "--format ply " + file).code, 0) << "no link is in the way of these";
+}
+
+TEST_F(Paths, ManyCachesNeedManyOpenFiles) {
+  Json json = falling_scene();
+  for (int i = 0; i < 99; ++i) json["cloths"].push_back(json["cloths"][0]);
+  const std::string run =
+      "run --time 0.02 --format pc2 --out " + (folder / "f") + " " + scene(json);
+  EXPECT_EQ(run_weft(run, "ulimit -S -n 60; exec ").code, 0)
+      << "the limit is raised as far as may be";
+  EXPECT_TRUE(std::filesystem::exists(folder / "f/sheet_100.pc2"));
+  std::filesystem::remove_all(folder / "f");
+  expect_failure(run_weft(run, "ulimit -n 60; exec "), 3, "100 cloths are as many open files");
+  EXPECT_TRUE(std::filesystem::is_empty(folder / "f"));
+}
+
+TEST_F(Paths, CachesFarFromZeroAreCoarseAndSaySo) {
+  Json json = falling_scene();
+  const std::string run = "run --time 0.02 --format pc2 --out " + (folder / "f") + " ";
+  EXPECT_EQ(run_weft(run + scene(json)).err, "");
+  json["cloths"][0]["transform"] = {{"translate", {0, 1e6, 0}}};
+  const Outcome far = run_weft(run + scene(json));
+  EXPECT_EQ(far.code, 0);
+  EXPECT_CONTAINS(far.err, "warning: cloth 'sheet' is 1e+06 m from zero");
+  EXPECT_CONTAINS(far.err, "0.0625 m apart");
+}
+
 TEST_F(Paths, DevicesTakeAll) {
   const std::string file = scene(falling_scene());
   EXPECT_EQ(run_weft("run --final /dev/null --report /dev/null " + file).code, 0);

@@ -99,7 +99,9 @@ TEST_F(CliScatter, PlanSaysWhatIsChosenAndWhy) {
   EXPECT_EQ(of["chosen"], of["scatter_ns"] < of["gather_ns"] ? "scatter" : "gather");
   EXPECT_GT(of["gather_ns"], 0);
   EXPECT_GT(of["scatter_ns"], 0);
-  EXPECT_CONTAINS(run_weft("plan " + scene(json)).out, "cloth 0: gather (model, ns per substep");
+  const std::string line =
+      "cloth 0: " + of["chosen"].get<std::string>() + " (model, ns per substep";
+  EXPECT_CONTAINS(run_weft("plan " + scene(json)).out, line);
   json["solver"] = {{"evaluation", "scatter"}};
   EXPECT_CONTAINS(run_weft("plan " + scene(json)).out, "edge_forces_float32 native");
 }

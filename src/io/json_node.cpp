@@ -91,7 +91,9 @@ Node Node::operator[](size_t index) const& { return Node((*value_)[index], *this
 
 double Node::number(Sign sign) const {
   if (!value_->is_number()) wrong_type("a number");
+  constexpr double largest = 1e18;  // of all that the library takes
   const double value = value_->get<double>();
+  if (std::abs(value) > largest) out_of_range("numbers reach to 1e18", "give a smaller one");
   if (sign == Sign::not_negative && value < 0) out_of_range("it is negative", "give a number >= 0");
   if (sign == Sign::positive && !(value > 0))
     out_of_range("it is not positive", "give a number > 0");

@@ -63,6 +63,7 @@ class Pictures final : public FrameSink {
   Pictures(const PictureSettings& settings, const io::Scene& scene, const io::Surface& start,
            const Views& views)
       : folder_(settings.folder),
+        scene_file_(scene.file),
         png_(settings.png),
         painter_(scene, start, views.framing, views.reach) {
     if (!settings.mp4) return;
@@ -77,10 +78,13 @@ class Pictures final : public FrameSink {
   }
   void commit() override {
     if (video_) video_->commit();
+    for (const std::string& problem : painter_.problems()) {
+      print_message("warning: " + scene_file_ + ": " + problem);
+    }
   }
 
  private:
-  std::string folder_;
+  std::string folder_, scene_file_;
   bool png_;
   render::Session session_;  // the painter needs it
   render::Painter painter_;

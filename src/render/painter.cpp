@@ -17,7 +17,8 @@ struct Painter::Parts {
         const Reach& reach)
       : stage(make_stage(scene, framing)),
         canvas(scene.camera.width, scene.camera.height),
-        solids(make_solids(scene, reach.depths(), stage.seen, ground_plane(scene, up_of(scene)))),
+        solids(make_solids(scene, reach.depths(), stage.seen, ground_plane(scene, up_of(scene))),
+               scene),
         weavings(scene, start, stage),
         up(up_of(scene).cast<float>()) {
     Eigen::Vector3f across = stage.ground_normal.unitOrthogonal();
@@ -56,6 +57,7 @@ struct Painter::Parts {
     glDisable(GL_BLEND);
     glBindVertexArray(nothing.name());
     glDrawArrays(GL_TRIANGLES, 0, 3);
+    glEnable(GL_DEPTH_TEST);
   }
 
   // The ground hides nothing from below.
@@ -68,7 +70,6 @@ struct Painter::Parts {
     ground.set("model", place);
     ground.set("normal", stage.ground_normal);
     ground.set("soft", 1);
-    glEnable(GL_DEPTH_TEST);
     glEnable(GL_BLEND);
     glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
     glBindVertexArray(nothing.name());
@@ -102,10 +103,12 @@ Painter::Painter(const io::Scene& scene, const io::Surface& start, const Framing
 
 Painter::~Painter() = default;
 
+std::vector<std::string> Painter::problems() const { return parts_->solids.problems(); }
+
 Image Painter::draw(const io::Surface& surface, double time) {
   Parts& p = *parts_;
   p.weavings.update(surface, p.stage.origin);
-  p.solids.update(time, p.stage.origin);
+  p.solids.update(surface, time, p.stage.origin);
 
   p.shadows.begin();
   p.draw_casters(p.stage.shadow, p.cloth_depth, p.solid_depth, p.capsule_depth);

@@ -6,6 +6,8 @@
 #include "render/reach.h"
 
 #include <memory>
+#include <string>
+#include <vector>
 
 namespace weft::render {
 
@@ -18,6 +20,9 @@ class Painter {
 
   /// `surface`: as `start`, with new positions and normals; `time` in seconds places the colliders.
   Image draw(const io::Surface& surface, double time);
+
+  /// What is wrong with the pictures so far: a line each, with path, reason and remedy.
+  std::vector<std::string> problems() const;
 
  private:
   struct Parts;

@@ -100,15 +100,9 @@ std::optional<Depth> depth_in(const io::ColliderScene& collider, double time,
 }
 
 Reach::Reach(const io::Scene& scene, const io::Surface& start)
-    : scene_(scene), bars_(bars(scene, start)), depths_(scene.colliders.size(), 0) {
-  for (size_t i = 0; i < scene.colliders.size(); ++i) {
-    const auto* mesh = std::get_if<io::MeshColliderScene>(&scene.colliders[i]);
-    if (mesh) meshes_.push_back({i, mesh->closed, Ridges(*mesh), {}});
-  }
-}
+    : scene_(scene), bars_(bars(scene, start)), depths_(scene.colliders.size(), 0) {}
 
 void Reach::add(const io::Surface& surface, double time) {
-  add_to_meshes(surface, time);
   std::vector<double> own(surface.positions.size());
   for (size_t i = 0; i < depths_.size(); ++i) {
     if (!has_depth(scene_.colliders[i])) continue;
@@ -129,32 +123,13 @@ void Reach::add(const io::Surface& surface, double time) {
   }
 }
 
-void Reach::add_to_meshes(const io::Surface& surface, double time) {
-  for (Mesh& mesh : meshes_) {
-    for (const auto& t : surface.triangles) {
-      mesh.ridges.add({vector(surface.positions[t[0]]), vector(surface.positions[t[1]]),
-                       vector(surface.positions[t[2]])},
-                      time, mesh.found);
-    }
-  }
-}
-
-std::vector<double> Reach::depths() const {
-  std::vector<double> depths = depths_;
-  for (const Mesh& mesh : meshes_) {
-    depths[mesh.collider] = std::min(mesh.found.depth, mesh.ridges.most_hidden());
-  }
-  return depths;
-}
-
 std::vector<std::string> Reach::problems() const {
   std::vector<std::string> lines;
-  for (const Mesh& mesh : meshes_) {
-    const bool hidden = mesh.closed && mesh.found.depth <= mesh.ridges.most_hidden();
-    if (!mesh.found.cut || hidden) continue;
-    lines.push_back("$.colliders[" + std::to_string(mesh.collider) +
-                    "].mesh: shows through cloth (its edges go between the particles) give it more "
-                    "\"thickness\", or the cloth more vertices");
+  for (size_t i = 0; i < depths_.size(); ++i) {
+    if (depths_[i] <= most_given(scene_.colliders[i])) continue;
+    lines.push_back("$.colliders[" + std::to_string(i) +
+                    "]: shows through cloth (it is thin for the spacing of the particles, or began "
+                    "in the middle of them) give the cloth more vertices, or another start");
   }
   return lines;
 }

@@ -1,7 +1,7 @@
 // How deep flat triangles between particles reach into the colliders that keep the particles out.
 #pragma once
 
-#include "render/ridges.h"
+#include "render/box.h"
 
 #include "io/scene.h"
 #include "io/surface.h"
@@ -35,25 +35,16 @@ class Reach {
   void add(const io::Surface&, double time);
 
   /// m, by collider: no triangle went deeper below its own deepest corner. Too much by a fiftieth
-  /// of an edge at most. For closed meshes with sharp edges it may be more, and it is at
-  /// most what a picture can hide; for open ones 0.
-  std::vector<double> depths() const;
-  /// Of meshes that show through cloth in spite of this: a line each, with path, reason and remedy.
+  /// of an edge at most. For planes and meshes 0.
+  const std::vector<double>& depths() const { return depths_; }
+  /// Of shapes that show through cloth although they are drawn smaller: a line each, with path,
+  /// reason and remedy.
   std::vector<std::string> problems() const;
 
  private:
-  struct Mesh {
-    size_t collider;
-    bool closed;
-    Ridges ridges;
-    Ridges::Found found;
-  };
-  void add_to_meshes(const io::Surface&, double time);
-
   const io::Scene& scene_;
   std::vector<std::array<uint32_t, 2>> bars_;
   std::vector<double> depths_;
-  std::vector<Mesh> meshes_;
 };
 
 }  // namespace weft::render

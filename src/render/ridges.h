@@ -1,79 +1,70 @@
-// Where the edges of a collider mesh stick out of the flat triangles of a cloth on it.
+// Where the edges of a collider mesh stick out of the flat triangles of a cloth on it, and how a
+// mesh is drawn so that they do not.
 #pragma once
 
-#include "render/box.h"
+#include "render/box_grid.h"
 
-#include "io/scene.h"
+#include "io/mesh.h"
 
 #include <array>
 #include <vector>
 
 namespace weft::render {
 
-/// A mesh rises out of a triangle whose corners are outside of it at convex edges only.
+/// A mesh rises out of a triangle whose corners are outside of it at convex edges only. Also one
+/// with holes, as long as it goes round something.
 class Ridges {
  public:
-  explicit Ridges(const io::MeshColliderScene&);
+  /// Points of it, and all that it is asked about, are where the mesh is before it is turned and
+  /// moved, but scaled.
+  Ridges(const io::Mesh&, double scale, bool closed);
 
-  struct Found {
-    double depth = 0;  ///< m: with its faces moved in by this a closed mesh is below all triangles
-    bool cut = false;  ///< a triangle and the mesh cross
+  /// m, by edge of the mesh: with its faces moved in by this it is below all triangles.
+  using Depths = std::vector<double>;
+  Depths no_depths() const { return Depths(edges_.size(), 0); }
+  /// Looks at one more triangle of a cloth.
+  void add(const std::array<Vector3d, 3>& triangle, Depths& depths) const;
+
+  struct Inset {
+    std::vector<Vector3d> by;  ///< m, by vertex of the file: where it is drawn lies inwards by it
+    bool enough = true;        ///< false: the mesh is too thin somewhere, or has no outside, and
+                               ///< stays as it is there
   };
-  /// Looks at one more triangle, at `time`.
-  void add(const std::array<Vector3d, 3>& corners, double time, Found& found) const;
+  /// How to draw the mesh so that no triangle lies in it.
+  Inset inset(const Depths&) const;
 
-  /// Whether a point is inside of the mesh, which is closed, at `time`.
-  bool enclose(const Vector3d& point, double time) const;
-
-  /// m. Depths up to here a picture can hide by drawing the mesh, which is closed, smaller: a
-  /// fifth of a sphere's radius, of what is flat or thin less.
-  double most_hidden() const { return most_hidden_; }
+  /// Whether a point is inside of the mesh, which is closed.
+  bool enclose(const Vector3d& point) const;
 
  private:
   struct Edge {
     Vector3d a, b;
-    Vector3d out;  ///< mean normal of its triangles, unit; zero: unknown
-    double flat;   ///< length of the mean before: 1 when they lie in one plane
+    uint32_t from, to;  ///< welded vertices
+    Vector3d out;       ///< mean normal of its triangles, unit; zero: unknown
+    double flat;        ///< length of the mean before: 1 when they lie in one plane
   };
-  /// Lists, by cell, of what has a box of its own.
-  class Grid {
-   public:
-    void fill(const Box& all, const std::vector<Box>& boxes);
-    /// Calls `use` with the numbers of all whose boxes may touch this one, some more than once,
-    /// until it returns true.
-    template <class Use>
-    bool any_near(const Box&, Use use) const;
-
-   private:
-    using Range = std::array<std::array<int, 2>, 3>;
-    Range cells_of(const Box&) const;
-    template <class Use>
-    bool any_cell(const Range&, Use use) const;
-
-    Vector3d low_{0, 0, 0};
-    double cell_ = 1;
-    std::array<int, 3> cells_{1, 1, 1};
-    std::vector<uint32_t> start_, numbers_;  ///< of cell c: numbers_[start_[c]], ...
+  struct Outward {
+    Vector3d normal{0, 0, 0};  ///< unit
+    double least = 1;          ///< cosine to the normal of a triangle
   };
 
-  void measure();
+  void find_outside(bool closed);
   void find_edges();
-  void look_below(const Edge&, const std::array<Vector3d, 3>& triangle, double most, Found&) const;
-  /// Whether a triangle of the mesh crosses the segment, farther than `least` from its start.
-  bool crosses(const Vector3d& from, const Vector3d& to, double least) const;
-  Vector3d local(const Vector3d& point, double time) const;
+  std::vector<Outward> outwards() const;
+  double depth_below(const Edge&, const std::array<Vector3d, 3>& triangle, double most) const;
+  bool is_crossed(const std::array<Vector3d, 3>& triangle, const Box& around) const;
+  /// m from `from` to the first triangle of the mesh towards `to`; 1e300 when there is none. Those
+  /// at `from` do not count.
+  double first_crossing(const Vector3d& from, const Vector3d& to) const;
 
+  std::vector<uint32_t> welded_;   ///< by vertex of the file: the number of the first in its place
+  std::vector<uint32_t> corner_;   ///< welded vertices, three per triangle
+  std::vector<Vector3d> points_;   ///< by vertex of the file, scaled
   std::vector<Vector3d> corners_;  ///< three per triangle
   std::vector<Edge> edges_;
   Box box_;
-  double most_hidden_ = 0;
-  Grid edge_grid_, triangle_grid_;
-  bool closed_;
-  Eigen::Matrix3d turn_;
-  Vector3d place_, velocity_;
+  BoxGrid near_edges_, near_triangles_;
+  double outside_ = 0;  ///< 1 where the normals of its triangles point, -1 against them, 0 on both
 };
-
-/// The vertices of a mesh with every face moved inwards by `by`, where no angle is too sharp.
-std::vector<Vector3d> shrunk(const io::Mesh&, double by);
 
 }  // namespace weft::render

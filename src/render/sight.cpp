@@ -1,6 +1,8 @@
 #include "render/sight.h"
 
 #include "render/reach.h"
+#include "render/ridges.h"
+#include "render/solids.h"
 #include "render/stage.h"
 
 #include "io/text_cursor.h"
@@ -9,6 +11,16 @@
 #include <cmath>
 
 namespace weft::render {
+
+namespace {
+
+bool is_inside(const io::MeshColliderScene& d, const Vector3d& point) {
+  const Eigen::Matrix3d turn = rotation(d.pose.axis, d.pose.degrees);
+  return Ridges(*d.mesh, d.scale, true)
+      .enclose(turn.transpose() * (point - vector(d.pose.translate)));
+}
+
+}  // namespace
 
 Sight::Sight(const io::Scene& scene, const Framing& framing)
     : scene_(scene),
@@ -75,8 +87,7 @@ std::vector<std::string> Sight::problems_of_eye(const Framing& framing) const {
   for (size_t i = 0; i < scene_.colliders.size(); ++i) {
     const auto depth = depth_in(scene_.colliders[i], 0, eye);
     const auto* mesh = std::get_if<io::MeshColliderScene>(&scene_.colliders[i]);
-    const bool inside =
-        depth ? depth->value > 0 : mesh && mesh->closed && Ridges(*mesh).enclose(eye, 0);
+    const bool inside = depth ? depth->value > 0 : mesh && mesh->closed && is_inside(*mesh, eye);
     if (!inside) continue;
     lines.push_back("$.camera.eye: is inside of $.colliders[" + std::to_string(i) +
                     "] at the start (it hides what is outside) move one of them");

@@ -6,27 +6,6 @@ namespace weft::render {
 
 static const Vector3f collider_colour{0.62f, 0.60f, 0.57f};
 
-Model::Model(const Triangles& triangles) : count_(GLsizei(triangles.indices.size())) {
-  glBindVertexArray(array_.name());
-  const auto& vertices = triangles.vertices;
-  const size_t stride = sizeof vertices[0];
-  fill(vertices_, GL_ARRAY_BUFFER, vertices.data(), vertices.size() * stride, GL_STATIC_DRAW);
-  fill(indices_, GL_ELEMENT_ARRAY_BUFFER, triangles.indices.data(),
-       triangles.indices.size() * sizeof(uint32_t), GL_STATIC_DRAW);
-  attribute(0, vertices_, 3, stride, 0);
-  attribute(1, vertices_, 3, stride, 3 * sizeof(float));
-}
-
-void Model::draw() const {
-  glBindVertexArray(array_.name());
-  glDrawElements(GL_TRIANGLES, count_, GL_UNSIGNED_INT, nullptr);
-}
-
-void Model::draw_instances(size_t count) const {
-  glBindVertexArray(array_.name());
-  glDrawElementsInstanced(GL_TRIANGLES, count_, GL_UNSIGNED_INT, nullptr, GLsizei(count));
-}
-
 CapsuleModels::CapsuleModels(uint32_t corners) : form_(capsule_form(corners)) {
   glBindVertexArray(form_.array().name());
   constexpr size_t stride = sizeof(std::array<float, 7>);
@@ -45,12 +24,28 @@ void CapsuleModels::draw() const {
   if (count_ > 0) form_.draw_instances(count_);
 }
 
-SolidModels::SolidModels(const Solids& solids) : solids_(solids) {
+SolidModels::SolidModels(const Solids& solids, const io::Scene& scene) : solids_(solids) {
   for (const Triangles& mesh : solids_.meshes) meshes_.emplace_back(mesh);
   solids_.meshes.clear();
+  YieldingMesh::Shapes shapes;
+  for (const size_t i : solids_.collider_meshes) {
+    collider_meshes_.emplace_back(std::get<io::MeshColliderScene>(scene.colliders[i]), shapes);
+  }
 }
 
-void SolidModels::update(double time, const Vector3d& origin) {
+std::vector<std::string> SolidModels::problems() const {
+  std::vector<std::string> lines;
+  for (size_t i = 0; i < collider_meshes_.size(); ++i) {
+    if (!collider_meshes_[i].shows()) continue;
+    lines.push_back("$.colliders[" + std::to_string(solids_.collider_meshes[i]) +
+                    "].mesh: shows through cloth (its edges go between the particles) give it more "
+                    "\"thickness\", or the cloth more vertices");
+  }
+  return lines;
+}
+
+void SolidModels::update(const io::Surface& surface, double time, const Vector3d& origin) {
+  for (YieldingMesh& mesh : collider_meshes_) mesh.update(surface, time);
   std::vector<std::array<float, 7>> capsules;
   for (const Capsule& c : solids_.capsules) {
     const Vector3d moved = c.velocity * time - origin;
@@ -91,7 +86,10 @@ void SolidModels::draw(const Program& program, size_t i) const {
   turned.block<3, 3>(0, 0) = places_[i].block<3, 3>(0, 0).inverse().transpose();
   program.set("model", places_[i]);
   program.set("turned", turned);
-  (solid.form == Form::mesh ? meshes_[solid.mesh] : forms_[size_t(solid.form)]).draw();
+  if (solid.form == Form::collider_mesh)
+    collider_meshes_[solid.mesh].draw();
+  else
+    (solid.form == Form::mesh ? meshes_[solid.mesh] : forms_[size_t(solid.form)]).draw();
 }
 
 void SolidModels::draw_capsules(const Program& program) const {

@@ -1,27 +1,15 @@
 // Colliders on the device.
 #pragma once
 
-#include "render/gl.h"
+#include "render/model.h"
 #include "render/solids.h"
+#include "render/yielding_mesh.h"
 
 #include <array>
+#include <string>
 #include <vector>
 
 namespace weft::render {
-
-/// Triangles in buffers of their own.
-class Model {
- public:
-  explicit Model(const Triangles&);
-  void draw() const;
-  void draw_instances(size_t count) const;
-  const VertexArray& array() const { return array_; }
-
- private:
-  VertexArray array_;
-  Buffer vertices_, indices_;
-  GLsizei count_;
-};
 
 /// Many capsules by one call.
 class CapsuleModels {
@@ -40,8 +28,11 @@ class CapsuleModels {
 
 class SolidModels {
  public:
-  explicit SolidModels(const Solids&);
-  void update(double time, const Vector3d& origin);
+  SolidModels(const Solids&, const io::Scene&);
+  /// Collider meshes give way to the surface.
+  void update(const io::Surface&, double time, const Vector3d& origin);
+  /// Of collider meshes that show through cloth: a line each, with path, reason and remedy.
+  std::vector<std::string> problems() const;
   /// All but the discs.
   void draw_solids(const Program&) const;
   /// Those that face `eye`: a plane hides nothing from behind.
@@ -54,6 +45,7 @@ class SolidModels {
   Solids solids_;
   std::array<Model, 3> forms_{Model(cylinder_form()), Model(box_form()), Model(disc_form())};
   std::vector<Model> meshes_;
+  std::vector<YieldingMesh> collider_meshes_;
   CapsuleModels capsules_{48};
   std::vector<Eigen::Matrix4f> places_;  ///< of the solids, now
 };

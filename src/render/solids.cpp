@@ -1,7 +1,5 @@
 #include "render/solids.h"
 
-#include "render/ridges.h"
-
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -28,7 +26,15 @@ struct Bounds {
     return box_round(vector(d.center), Vector3d::Constant(d.radius));
   }
   Box operator()(const PlaneDesc&) const { return {}; }
-  Box operator()(const CylinderDesc& d) const { return between(d.a, d.b, d.radius); }
+  // Its caps reach as far along an axis as they are seen edge on.
+  Box operator()(const CylinderDesc& d) const {
+    const Vector3d along = (vector(d.b) - vector(d.a)).normalized();
+    const Vector3d rim = d.radius * (1 - along.array().square()).max(0).sqrt().matrix();
+    Box box;
+    box.add(box_round(vector(d.a), rim));
+    box.add(box_round(vector(d.b), rim));
+    return box;
+  }
   Box operator()(const CapsuleDesc& d) const { return between(d.a, d.b, d.radius); }
   Box operator()(const BoxDesc& d) const {
     const Eigen::Matrix3d turn = rotation(d.axis, d.degrees);
@@ -52,20 +58,13 @@ struct Bounds {
   }
 };
 
-/// What a mesh of `Solids` was made from.
-struct DrawnMesh {
-  const io::Mesh* mesh;  ///< null: none that could be used again
-  double shrunk_by;
-  bool operator==(const DrawnMesh&) const = default;
-};
-
 class Maker {
  public:
   Maker(const Box& region, Solids& out)
       : region_(region), hair_(5e-4 * region.radius()), out_(out) {}
 
-  void make(const io::ColliderScene& collider, double reach) {
-    reach_ = reach;
+  void make(const io::ColliderScene& collider, size_t number, double reach) {
+    number_ = number;
     slack_ = reach + hair_;
     std::visit(*this, collider);
   }
@@ -99,8 +98,9 @@ class Maker {
   }
   void operator()(const io::MeshColliderScene& d) {
     const Eigen::Matrix3d axes = rotation(d.pose.axis, d.pose.degrees) * d.scale;
-    out_.solids.push_back(
-        {Form::mesh, axes, vector(d.pose.translate), vector(d.velocity), mesh_of(d)});
+    out_.solids.push_back({Form::collider_mesh, axes, vector(d.pose.translate), vector(d.velocity),
+                           out_.collider_meshes.size()});
+    out_.collider_meshes.push_back(number_);
   }
 
  private:
@@ -117,43 +117,15 @@ class Maker {
     const Vector3d up = towards.norm() > 0 ? Vector3d(towards.normalized()) : Vector3d::UnitY();
     const double radius = d.radius - slack_within(d.radius);
     out_.meshes.push_back(planet_form(0.02 * region_.radius() / d.radius));
-    meshes_.push_back({nullptr, 0});
     out_.solids.push_back({Form::mesh, frame_along(up) * radius, center + radius * up,
                            vector(d.velocity), out_.meshes.size() - 1});
   }
 
-  // Without a hair: a collider mesh keeps cloth at a distance.
-  size_t mesh_of(const io::MeshColliderScene& collider) {
-    const io::Mesh& mesh = *collider.mesh;
-    const DrawnMesh wanted{&mesh, reach_ / collider.scale};
-    for (size_t i = 0; i < meshes_.size(); ++i) {
-      if (meshes_[i] == wanted) return i;
-    }
-    std::vector<Vector3d> normals(mesh.positions.size(), Vector3d::Zero());
-    for (size_t t = 0; t + 2 < mesh.triangles.size(); t += 3) {
-      const uint32_t* v = &mesh.triangles[t];
-      const Vector3d a = vector(mesh.positions[v[0]]);
-      const Vector3d n = (vector(mesh.positions[v[1]]) - a).cross(vector(mesh.positions[v[2]]) - a);
-      for (int k = 0; k < 3; ++k) normals[v[k]] += n;
-    }
-    const std::vector<Vector3d> places = shrunk(mesh, wanted.shrunk_by);
-    Triangles drawn;
-    for (size_t i = 0; i < normals.size(); ++i) {
-      const Vector3f p = places[i].cast<float>();
-      const Vector3f n = normals[i].normalized().cast<float>();
-      drawn.vertices.push_back({p.x(), p.y(), p.z(), n.x(), n.y(), n.z()});
-    }
-    drawn.indices = mesh.triangles;
-    out_.meshes.push_back(std::move(drawn));
-    meshes_.push_back(wanted);
-    return meshes_.size() - 1;
-  }
-
   const Box& region_;
   double hair_;  ///< what keeps two surfaces apart in the depth buffer
-  double reach_ = 0, slack_ = 0;
+  double slack_ = 0;
+  size_t number_ = 0;
   Solids& out_;
-  std::vector<DrawnMesh> meshes_;
 };
 
 }  // namespace
@@ -178,6 +150,20 @@ Eigen::Matrix3d rotation(double3 axis, double degrees) {
   return Eigen::AngleAxisd(degrees * std::numbers::pi / 180, v.normalized()).toRotationMatrix();
 }
 
+double most_given(const io::ColliderScene& collider) {
+  struct Half {
+    double operator()(const SphereDesc& d) const { return d.radius; }
+    double operator()(const CapsuleDesc& d) const { return d.radius; }
+    double operator()(const CylinderDesc& d) const {
+      return std::min(d.radius, 0.5 * (vector(d.b) - vector(d.a)).norm());
+    }
+    double operator()(const BoxDesc& d) const { return vector(d.half).minCoeff(); }
+    double operator()(const PlaneDesc&) const { return 0; }
+    double operator()(const io::MeshColliderScene&) const { return 0; }
+  };
+  return 0.5 * std::visit(Half(), collider);
+}
+
 Vector3d velocity_of(const io::ColliderScene& collider) {
   return std::visit([](const auto& d) { return vector(d.velocity); }, collider);
 }
@@ -190,7 +176,7 @@ Solids make_solids(const io::Scene& scene, const std::vector<double>& reach, con
   Maker maker(region, solids);
   for (size_t i = 0; i < scene.colliders.size(); ++i) {
     const auto* plane = std::get_if<PlaneDesc>(&scene.colliders[i]);
-    if (!plane || plane != ground) maker.make(scene.colliders[i], reach[i]);
+    if (!plane || plane != ground) maker.make(scene.colliders[i], i, reach[i]);
   }
   return solids;
 }

@@ -24,19 +24,20 @@ struct Capsule {
   double radius;
   Vector3d velocity{0, 0, 0};
 };
-enum class Form : uint8_t { cylinder, box, disc, mesh };
+enum class Form : uint8_t { cylinder, box, disc, mesh, collider_mesh };
 /// A unit form, placed.
 struct Solid {
   Form form;
   Eigen::Matrix3d axes;  ///< columns: where the form's x, y, z go
   Vector3d center;
   Vector3d velocity;
-  size_t mesh = 0;  ///< of `Solids::meshes`
+  size_t mesh = 0;  ///< of `Solids::meshes` or `Solids::collider_meshes`
 };
 struct Solids {
   std::vector<Capsule> capsules;
   std::vector<Solid> solids;
   std::vector<Triangles> meshes;
+  std::vector<size_t> collider_meshes;  ///< which colliders of the scene they are
 };
 
 /// At the start; of a plane, empty.
@@ -50,9 +51,12 @@ const PlaneDesc* ground_plane(const io::Scene&, const Vector3d& up);
 /// Of a unit vector along `axis`; without a direction, none.
 Eigen::Matrix3d rotation(double3 axis, double degrees);
 
-/// Shapes are drawn smaller by `reach`, by collider, and all but meshes by a hair, so that no
-/// triangle between particles on their surface is hidden; at least half of a shape is left. Planes
-/// other than `ground` are drawn as discs of the size of `region`, around it.
+/// m: by how much a shape can be drawn smaller; of planes and meshes 0.
+double most_given(const io::ColliderScene&);
+
+/// Shapes are drawn smaller by `reach`, by collider, and by a hair, so that no triangle between
+/// particles on their surface is hidden; at least half of a shape is left. Collider meshes give way
+/// later. Planes other than `ground` are drawn as discs of the size of `region`, around it.
 Solids make_solids(const io::Scene&, const std::vector<double>& reach, const Box& region,
                    const PlaneDesc* ground);
 

@@ -1,12 +1,10 @@
 // A closed mesh that is drawn smaller by what its edges stick out lies below the cloth on it.
-#include "render/reach.h"
 #include "render/ridges.h"
 #include "render/solids.h"
 
-#include "io/build.h"
-
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -56,97 +54,110 @@ io::Mesh ball_mesh(uint32_t around, uint32_t rings) {
   return mesh;
 }
 
-io::MeshColliderScene collider_of(io::Mesh mesh, bool closed = true) {
-  io::MeshColliderScene collider;
-  collider.mesh = std::make_shared<const io::Mesh>(std::move(mesh));
-  collider.closed = closed;
-  return collider;
+Ridges ridges_of(const io::Mesh& mesh, bool closed = true) { return Ridges(mesh, 1, closed); }
+
+double deepest(const Ridges::Depths& depths) {
+  return *std::max_element(depths.begin(), depths.end());
 }
 
-Ridges::Found found_by(const io::MeshColliderScene& collider,
-                       const std::array<Vector3d, 3>& triangle) {
-  Ridges::Found found;
-  Ridges(collider).add(triangle, 0, found);
-  return found;
+Ridges::Depths found_by(const Ridges& ridges, const std::array<Vector3d, 3>& triangle) {
+  Ridges::Depths depths = ridges.no_depths();
+  ridges.add(triangle, depths);
+  return depths;
 }
 
 // A plane that cuts an edge of a right angle at a height of h, turned by an angle, is below the
 // faces when they move in by h / (sine + cosine).
 TEST(Ridges, DepthBelowAnEdgeIsTheClosedForm) {
-  const io::MeshColliderScene cube = collider_of(box_mesh({1, 1, 1}));
+  const Ridges cube = ridges_of(box_mesh({1, 1, 1}));
   for (const double degrees : {45.0, 60.0, 33.0}) {
     const double angle = degrees * std::numbers::pi / 180;
     const double c = std::cos(angle), s = std::sin(angle), height = 0.05;
     const Vector3d normal(c, s, 0), across(-s, c, 0), up(0, 0, 1);
     const Vector3d middle = Vector3d(1, 1, 0) - height * normal;
     for (const double side : {1.0, -1.0}) {  // of either orientation
-      const Ridges::Found found = found_by(
+      const Ridges::Depths found = found_by(
           cube, {Vector3d(middle + side * 0.4 * across - 0.3 * up),
                  Vector3d(middle - side * 0.4 * across - 0.3 * up), Vector3d(middle + 0.5 * up)});
-      EXPECT_NEAR(found.depth, height / (s + c), 1e-12) << degrees;
-      EXPECT_TRUE(found.cut);
+      EXPECT_NEAR(deepest(found), height / (s + c), 1e-12) << degrees;
     }
   }
 }
 
 TEST(Ridges, ATriangleBeyondAPlateIsNotInIt) {
-  const io::MeshColliderScene plate = collider_of(box_mesh({1, 0.01, 1}));
-  const Ridges::Found below = found_by(
+  const Ridges plate = ridges_of(box_mesh({1, 0.01, 1}));
+  const Ridges::Depths below = found_by(
       plate, {Vector3d(0.9, -0.02, 0.9), Vector3d(1.2, -0.02, 0.9), Vector3d(0.9, -0.02, 1.2)});
-  EXPECT_EQ(below.depth, 0);
-  EXPECT_FALSE(below.cut);
-  EXPECT_LT(Ridges(plate).most_hidden(), 0.01) << "a thin mesh is not turned inside out";
+  EXPECT_EQ(deepest(below), 0);
+  EXPECT_TRUE(plate.inset(below).by.empty());
 }
 
-TEST(Ridges, OpenMeshesAreOnlyCut) {
-  const io::MeshColliderScene ball = collider_of(ball_mesh(12, 6), false);
-  const std::array<Vector3d, 3> deep{Vector3d(-1, 0.2, -1), Vector3d(1, 0.2, -1),
-                                     Vector3d(0, 0.2, 1)};
-  EXPECT_TRUE(found_by(ball, deep).cut);
-  EXPECT_EQ(found_by(ball, deep).depth, 0);
-  EXPECT_FALSE(found_by(ball, {deep[0] + Vector3d(0, 1, 0), deep[1] + Vector3d(0, 1, 0),
-                               deep[2] + Vector3d(0, 1, 0)})
-                   .cut);
+// Half a ball, with its triangles one way round or the other. A cloth that lies in it is not below.
+TEST(Ridges, OpenMeshesGiveWayWhereTheyAreRound) {
+  io::Mesh bowl = ball_mesh(24, 12);
+  io::Mesh half = bowl;
+  half.triangles.clear();
+  for (size_t t = 0; t < bowl.triangles.size(); t += 3) {
+    const uint32_t* v = &bowl.triangles[t];
+    const double top =
+        std::max({bowl.positions[v[0]].y, bowl.positions[v[1]].y, bowl.positions[v[2]].y});
+    if (top < 1e-9) half.triangles.insert(half.triangles.end(), v, v + 3);
+  }
+  const std::array<Vector3d, 3> below{Vector3d(-0.2, -0.29, -0.2), Vector3d(0.2, -0.29, -0.2),
+                                      Vector3d(0, -0.29, 0.2)};
+  std::array<Vector3d, 3> within = below;
+  for (Vector3d& corner : within) corner *= 0.6;
+  for (const bool inside_out : {false, true}) {
+    if (inside_out) {
+      for (size_t t = 0; t < half.triangles.size(); t += 3) {
+        std::swap(half.triangles[t], half.triangles[t + 1]);
+      }
+    }
+    const Ridges open = ridges_of(half, false);
+    const Ridges::Depths depths = found_by(open, below);
+    EXPECT_NEAR(deepest(depths), 0.01, 1e-3) << "it lies on a plane and sinks in by a centimetre";
+    const Ridges::Inset inset = open.inset(depths);
+    EXPECT_TRUE(inset.enough);
+    Vector3d most(0, 0, 0);
+    for (const Vector3d& by : inset.by) most = by.norm() > most.norm() ? by : most;
+    EXPECT_LT(most.y(), -0.008) << "out is down";
+    EXPECT_EQ(deepest(found_by(open, within)), 0);
+  }
 }
 
-TEST(Ridges, MoveAndTurnWithTheirCollider) {
-  io::MeshColliderScene box = collider_of(box_mesh({1, 2, 3}));
-  box.scale = 0.5;
-  box.pose.axis = {0, 0, 1};
-  box.pose.degrees = 90;
-  box.pose.translate = {10, 0, 0};
-  box.velocity = {0, 1, 0};
-  const Ridges ridges(box);
-  EXPECT_TRUE(ridges.enclose({10.9, 5.4, 1.4}, 5));
-  EXPECT_FALSE(ridges.enclose({10.4, 5.9, 1.4}, 5)) << "turned: it is wide along x";
-  EXPECT_FALSE(ridges.enclose({10.9, 0.4, 1.4}, 5)) << "it has moved";
+TEST(Ridges, EncloseWhatIsInside) {
+  const Ridges box{box_mesh({1, 2, 3}), 0.5, true};
+  EXPECT_TRUE(box.enclose({0.4, 0.9, 1.4}));
+  EXPECT_FALSE(box.enclose({0.9, 0.4, 1.4}));
+  EXPECT_FALSE(box.enclose({0.4, 0.9, 1.6}));
 }
 
-// Between a picture that hides a cut and one that cannot lies a warning.
-TEST(Ridges, WhatNoPictureHidesIsAProblem) {
-  io::Scene scene;
-  scene.cloths.emplace_back();
-  scene.colliders = {PlaneDesc{}, collider_of(box_mesh({1, 1, 1})),
-                     collider_of(box_mesh({1, 1, 1}), false)};
-  const auto lines_at = [&](double height, std::vector<double>& depths) {
-    io::Surface surface;
-    surface.positions = {{2, height - 1, 0.5}, {0, height + 1, 0.5}, {1, height, -0.2}};
-    surface.triangles = {{0, 1, 2}};
-    Reach reach(scene, surface);
-    reach.add(surface, 0);
-    depths = reach.depths();
-    return reach.problems();
-  };
-  std::vector<double> depths;
-  const auto shallow = lines_at(0.9, depths);
-  EXPECT_NEAR(depths[1], 0.05, 1e-12);
-  EXPECT_EQ(depths[2], 0) << "open: drawn as it is";
-  ASSERT_EQ(shallow.size(), 1u);
-  EXPECT_EQ(shallow[0].find("$.colliders[2].mesh: shows through cloth"), 0u) << shallow[0];
-  const auto deep = lines_at(0.2, depths);
-  EXPECT_NEAR(depths[1], 0.2, 1e-12) << "a fifth of its size";
-  EXPECT_EQ(deep.size(), 2u);
-  EXPECT_TRUE(lines_at(1.1, depths).empty());
+TEST(Ridges, AnOpenSheetHasNoSideToGiveWayTo) {
+  io::Mesh roof;
+  roof.positions = {{-1, 0, -1}, {-1, 0, 1}, {0, 0.05, -1}, {0, 0.05, 1}, {1, 0, -1}, {1, 0, 1}};
+  roof.triangles = {0, 1, 2, 1, 3, 2, 2, 3, 4, 3, 5, 4};
+  const Ridges open = ridges_of(roof, false);
+  const std::array<Vector3d, 3> cut{Vector3d(-0.5, 0.04, 0), Vector3d(0.5, 0.04, 0),
+                                    Vector3d(0, 0.04, 0.5)};
+  EXPECT_FALSE(open.inset(found_by(open, cut)).enough);
+  EXPECT_TRUE(open.inset(found_by(open, cut)).by.empty());
+  EXPECT_TRUE(open.inset(open.no_depths()).enough);
+}
+
+// A cut through a thin plate cannot be hidden.
+TEST(Ridges, WhatIsTooThinStaysAsItIs) {
+  const std::array<Vector3d, 3> cut{Vector3d(2, -0.1, 0.5), Vector3d(0, 1.9, 0.5),
+                                    Vector3d(1, 0.9, -0.2)};
+  const Ridges cube = ridges_of(box_mesh({1, 1, 1})), plate = ridges_of(box_mesh({1, 1, 0.05}));
+  const Ridges::Inset of_cube = cube.inset(found_by(cube, cut));
+  EXPECT_TRUE(of_cube.enough);
+  ASSERT_EQ(of_cube.by.size(), 24u);
+  double farthest = 0;
+  for (const Vector3d& in : of_cube.by) farthest = std::max(farthest, in.norm());
+  EXPECT_NEAR(farthest, 0.05 * std::sqrt(3.0), 1e-9) << "the end of an edge that is cut";
+  const Ridges::Inset of_plate = plate.inset(found_by(plate, cut));
+  EXPECT_FALSE(of_plate.enough);
+  for (const Vector3d& in : of_plate.by) EXPECT_LT(in.norm(), 0.05);
 }
 
 /// Triangles with their corners outside of a mesh.
@@ -160,7 +171,7 @@ std::vector<std::array<Vector3d, 3>> cutting_triangles(const Ridges& ridges, dou
     bool outside = true;
     for (Vector3d& corner : t) {
       corner = middle + 0.15 * Vector3d(unit(random), unit(random), unit(random));
-      outside = outside && !ridges.enclose(corner, 0);
+      outside = outside && !ridges.enclose(corner);
     }
     if (outside) all.push_back(t);
   }
@@ -172,24 +183,26 @@ TEST(Ridges, NothingOfATriangleIsInsideOfAMeshThatWasShrunkByTheDepth) {
                              ball_mesh(24, 12)};
   size_t cuts = 0;
   for (const io::Mesh& mesh : meshes) {
-    const io::MeshColliderScene collider = collider_of(mesh);
-    const Ridges ridges(collider);
+    const Ridges ridges = ridges_of(mesh);
     size_t inside = 0, samples = 0;
     for (const auto& t : cutting_triangles(ridges, 0.4)) {
-      Ridges::Found found;
-      ridges.add(t, 0, found);
-      cuts += found.depth > 1e-3;
+      Ridges::Depths found = ridges.no_depths();
+      ridges.add(t, found);
+      cuts += deepest(found) > 1e-3;
       io::Mesh smaller = mesh;
-      const std::vector<Vector3d> moved = shrunk(mesh, 1.02 * found.depth + 1e-9);
-      for (size_t v = 0; v < moved.size(); ++v) {
-        smaller.positions[v] = {moved[v].x(), moved[v].y(), moved[v].z()};
+      const Ridges::Inset inset = ridges.inset(found);
+      EXPECT_TRUE(inset.enough);
+      for (size_t v = 0; v < inset.by.size(); ++v) {
+        const Vector3d in = 1.02 * inset.by[v];
+        double3& p = smaller.positions[v];
+        p = {p.x - in.x(), p.y - in.y(), p.z - in.z()};
       }
-      const Ridges after(collider_of(smaller));
+      const Ridges after = ridges_of(smaller);
       for (int i = 0; i <= 8; ++i) {
         for (int j = 0; i + j <= 8; ++j) {
           const double u = i / 8.0, v = j / 8.0;
           ++samples;
-          inside += after.enclose(u * t[0] + v * t[1] + (1 - u - v) * t[2], 0);
+          inside += after.enclose(u * t[0] + v * t[1] + (1 - u - v) * t[2]);
         }
       }
     }

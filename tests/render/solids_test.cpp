@@ -1,3 +1,4 @@
+#include "render/creases.h"
 #include "render/solids.h"
 #include "render/weave.h"
 
@@ -28,6 +29,13 @@ TEST(Solids, BoundsOfEachShape) {
   EXPECT_NEAR(bounds_of(box).high.x(), std::sqrt(2.0), 1e-12);
   EXPECT_NEAR(bounds_of(box).high.z(), 1, 1e-12);
   EXPECT_TRUE(bounds_of(PlaneDesc{}).empty());
+  CylinderDesc disc;
+  disc.a = {0, 0, 0};
+  disc.b = {0, 0.04, 0};
+  disc.radius = 0.8;
+  EXPECT_NEAR(bounds_of(disc).low.y(), 0, 1e-12) << "its caps are flat";
+  EXPECT_NEAR(bounds_of(disc).high.y(), 0.04, 1e-12);
+  EXPECT_NEAR(bounds_of(disc).high.z(), 0.8, 1e-12);
 }
 
 TEST(Solids, ShapesGiveWayByTheirReachAndKeepHalf) {
@@ -82,6 +90,20 @@ TEST(Solids, SpheresMuchLargerThanTheSceneAreFineWhereItIs) {
     }
     EXPECT_GT(near, 100u);
   }
+}
+
+// A cube has edges, a ball of the same kind of triangles has none.
+TEST(Creases, AreWhereTrianglesMeetAtAnAngle) {
+  const std::vector<Vector3d> cube{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}};
+  const Triangles sharp = with_creases(cube, {0, 2, 1, 0, 3, 2, 0, 1, 4});
+  ASSERT_EQ(sharp.indices.size(), 9u);
+  EXPECT_EQ(sharp.vertices.size(), 4u + 3u) << "the edge 0-1 has normals of its own on both sides";
+  EXPECT_EQ(sharp.vertices[sharp.indices[0]][5], -1);
+  EXPECT_EQ(sharp.vertices[sharp.indices[6]][4], -1);
+  const std::vector<Vector3d> fold{{0, 0, 0}, {1, 0, 0}, {0, 1, 0.1}, {0, -1, 0.1}};
+  const Triangles smooth = with_creases(fold, {0, 1, 2, 1, 0, 3});
+  EXPECT_EQ(smooth.vertices.size(), 4u);
+  EXPECT_NEAR(double(smooth.vertices[smooth.indices[0]][5]), 1, 1e-6);
 }
 
 TEST(Solids, TheGroundIsNotDrawnTwice) {

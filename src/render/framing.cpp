@@ -94,7 +94,7 @@ Vector3d Framing::eye() const {
 
 void add_colliders(const io::Scene& scene, Framing& framing) {
   const double size = framing.box().radius();
-  const Box near = framing.box().grown(0.8 * size);
+  const Box near = framing.box().grown(0.8 * size), close = framing.box().grown(0.3 * size);
   for (const io::ColliderScene& collider : scene.colliders) {
     const Box start = bounds_of(collider);
     if (start.empty()) continue;
@@ -102,14 +102,17 @@ void add_colliders(const io::Scene& scene, Framing& framing) {
     const int moments = way.norm() > 0 ? 32 : 0;
     for (int i = 0; i <= moments; ++i) {
       const Vector3d moved = moments > 0 ? Vector3d(way * (double(i) / moments)) : way;
-      const Box all{start.low + moved, start.high + moved}, part = all.within(near);
+      const Box all{start.low + moved, start.high + moved};
       framing.expect(all);
-      if (part.empty()) continue;
+      if (all.within(near).empty()) continue;
+      const bool large = all.radius() > 1.5 * size;  // what is near of it will do
       const auto* sphere = std::get_if<SphereDesc>(&collider);
-      if (sphere && part.low == all.low && part.high == all.high) {
+      if (sphere && !large) {
         framing.add(vector(sphere->center) + moved, sphere->radius);
         continue;
       }
+      const Box part = large ? all.within(close) : all;
+      if (part.empty()) continue;
       for (int k = 0; k < 8; ++k) framing.add(part.corner(k));
     }
   }

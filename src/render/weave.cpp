@@ -64,8 +64,13 @@ std::vector<std::array<uint32_t, 2>> bars(const io::Scene& scene, const io::Surf
   for (const auto& triangle : surface.triangles) {
     for (const uint32_t v : triangle) shown[v] = true;
   }
-  for (uint32_t v = 0; v < shown.size(); ++v) {
-    if (!shown[v]) out.push_back({v, v});
+  for (size_t i = 0; i < surface.parts.size(); ++i) {
+    if (std::holds_alternative<io::MeshShape>(scene.cloths[i].shape)) continue;
+    const auto first = uint32_t(surface.parts[i].first_vertex);
+    const auto count = uint32_t(surface.parts[i].vertex_count);
+    for (uint32_t v = first; v < first + count; ++v) {
+      if (!shown[v]) out.push_back({v, v});
+    }
   }
   return out;
 }

@@ -18,7 +18,7 @@ using WeaveVertex = std::array<float, 6>;
 std::vector<WeaveVertex> weave_vertices(const io::Scene&, const io::Surface& start);
 
 /// What is drawn as round bars: springs of networks and of grids of one row or column; a vertex
-/// that nothing else shows is a bar from itself to itself.
+/// that nothing else shows is a bar from itself to itself, but in a mesh.
 std::vector<std::array<uint32_t, 2>> bars(const io::Scene&, const io::Surface&);
 
 }  // namespace weft::render

@@ -116,6 +116,40 @@ TEST(Pictures, PlanesHideNothingFromBehind) {
   EXPECT_LT(psnr(picture(before), open), 30) << "a wall that faces the camera is drawn";
 }
 
+// From below the floor no ground is drawn, and what is in front still hides what is behind.
+TEST(Pictures, WhatIsNearHidesWhatIsFarAlsoFromBelow) {
+  const TemporaryFolder folder;
+  Json json = io::test::falling_scene();
+  json["time"] = {{"duration", 0}};
+  json["colliders"] = Json::parse(R"([{"sphere": {"center": [0.5, 1, -0.6], "radius": 0.2}}])");
+  for (const double height : {1.5, -1.5}) {
+    json["camera"] = {{"eye", {0.5, height, 4}},
+                      {"target", {0.5, 1, 0}},
+                      {"width", 64},
+                      {"height", 64},
+                      {"field_of_view", 20}};
+    const std::string scene = folder.write("s.json", json.dump());
+    ASSERT_EQ(run_weft("run --format png --out " + folder.string() + " " + scene, in_software).code,
+              0);
+    const Image seen = read_png(folder / "frame_000000.png");
+    const uint8_t* middle = &seen.rgb[3 * (32 * 64 + 32)];
+    EXPECT_GT(std::abs(middle[0] - middle[2]), 15) << height << ": a grey ball before the cloth";
+  }
+}
+
+TEST(Pictures, AThinPostThroughASheetIsAWarning) {
+  const TemporaryFolder folder;
+  Json json = io::test::falling_scene();
+  json["time"] = {{"duration", 0.05}};
+  json["colliders"] =
+      Json::parse(R"([{"capsule": {"a": [0.6, 1, -1], "b": [0.6, 1, 1], "radius": 0.02}}])");
+  const std::string run = "run --format png --size 32x32 --out " + folder.string() + " ";
+  const Outcome outcome = run_weft(run + folder.write("s.json", json.dump()), in_software);
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_NE(outcome.err.find("s.json: $.colliders[0]: shows through cloth"), std::string::npos)
+      << outcome.err;
+}
+
 TEST(Pictures, ACameraThatSeesNothingIsAWarning) {
   const TemporaryFolder folder;
   Json json = io::test::falling_scene();

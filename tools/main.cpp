@@ -72,8 +72,8 @@ class Program {
     add_run();
     add_scene_commands();
     add_bench();
-    add_later("accuracy", "Error against time over methods, steps and precisions");
-    add_later("recall", "Self-collision pairs found against all pairs");
+    add_later("accuracy", "Not available yet: error against time over methods and steps");
+    add_later("recall", "Not available yet: self-collision pairs found against all");
   }
 
   int run(int argc, char** argv) {

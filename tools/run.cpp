@@ -199,6 +199,12 @@ int run_command(const RunOptions& options) {
   collect_figures(scene, made, report);
   if (!options.report.empty()) io::write_report(options.report, report);
   if (!early.empty()) throw io::OutputError(scene.file + ": " + early);
+  constexpr double absurd = 10;
+  if (report.largest_stretch > absurd) {
+    print_message("warning: " + scene.file + ": a spring is " + figure(1 + report.largest_stretch) +
+                  " times as long as at rest (the cloth is soft, or has gained energy) give more "
+                  "stiffness or damping, or a smaller $.solver.safety");
+  }
   if (!options.final_file.empty()) write_final(options.final_file, scene, made);
   if (options.json)
     print_json(to_json(report));

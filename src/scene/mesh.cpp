@@ -76,6 +76,21 @@ void merge_bend(std::vector<SpringRecord>& springs, std::vector<SpringRecord>& b
   }
 }
 
+/// Masses by density come with a message of their own.
+void tell_of_loose_vertices(CookedFabric& fabric) {
+  std::vector<bool> held(fabric.vertices, false);
+  for (const uint32_t v : fabric.triangles) held[v] = true;
+  const auto loose = std::count(held.begin(), held.end(), false);
+  if (loose == 0) return;
+  const auto first =
+      static_cast<uint32_t>(std::find(held.begin(), held.end(), false) - held.begin());
+  fabric.diagnostics.push_back(
+      {Severity::warning, first,
+       text("%u vertices belong to no triangle, the first is %u (nothing holds them: each moves on "
+            "its own) take them out of the mesh",
+            static_cast<uint32_t>(loose), first)});
+}
+
 void cook_checked(const MeshDesc& desc, CookedFabric& fabric) {
   store_positions(desc.positions, desc.material.scale, fabric);
   fabric.stiffness = desc.material.stiffness;
@@ -103,9 +118,10 @@ void cook_checked(const MeshDesc& desc, CookedFabric& fabric) {
     fabric.diagnostics.push_back(
         {Severity::info, 0,
          text("the mesh is %u pieces that no spring joins (each moves on its own) give vertices "
-              "that belong together the same index, or a weld distance",
+              "that belong together the same index (in C++ also MeshDesc::weld_distance)",
               pieces)});
   }
+  if (desc.material.mass.kind != Mass::Kind::density) tell_of_loose_vertices(fabric);
   set_masses(desc.material.mass, fabric);
 }
 

@@ -65,6 +65,18 @@ TEST_F(Build, ASpringGivenTwiceIsOneDiagnosticHoweverOften) {
   EXPECT_EQ(made.fabrics[0].spring_count(), 1u);
 }
 
+TEST_F(Build, VerticesWithoutATriangleAreADiagnostic) {
+  folder.write("a.obj", "v 0 0 0\nv 9 9 9\nv 1 0 0\nv 0 1 0\nv 8 8 8\nf 1 3 4\n");
+  Json json = still_scene();
+  json["cloths"][0].erase("grid");
+  json["cloths"][0]["mesh"] = {{"file", "a.obj"}};
+  const Simulation made = build(read(json), {});
+  const View<Diagnostic> diagnostics = made.fabrics[0].diagnostics();
+  ASSERT_EQ(diagnostics.count, 1u);
+  EXPECT_EQ(diagnostics[0].element, 1u);
+  EXPECT_CONTAINS(diagnostics[0].text, "2 vertices belong to no triangle, the first is 1 ");
+}
+
 TEST_F(Build, SaysWhatAMachineCannotHoldBeforeItTries) {
   Json json = still_scene();
   json["cloths"][0]["grid"]["rows"] = json["cloths"][0]["grid"]["columns"] = 20000;

@@ -12,6 +12,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include <fcntl.h>
+
 #include <csignal>
 #include <functional>
 
@@ -170,5 +172,10 @@ class Program {
 int main(int argc, char** argv) {
   // Beyond a file size limit write() shall fail like on a full disk, not kill the program.
   std::signal(SIGXFSZ, SIG_IGN);
+  std::signal(SIGPIPE, SIG_IGN);
+  // A standard stream that is closed would be the next file that is opened.
+  for (int descriptor = 0; descriptor <= 2; ++descriptor) {
+    if (::fcntl(descriptor, F_GETFD) < 0) ::open("/dev/null", O_RDWR);
+  }
   return weft::tools::guarded([&] { return weft::tools::Program().run(argc, argv); });
 }

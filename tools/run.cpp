@@ -18,6 +18,7 @@
 #include "io/text_cursor.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 namespace weft::tools {
@@ -80,11 +81,20 @@ void check_paths(const RunOptions& options, const RunRequest& request, const io:
   if (!options.out.empty()) paths.add_frames(request.frames, scene);
 }
 
-io::Simulation build_runnable(const io::Scene& scene, const RunRequest& request) {
-  if (const auto problem = io::beyond_memory(scene)) {
+void require_memory(const io::Scene& scene, uint64_t bytes) {
+  if (const auto problem = io::beyond_memory(bytes)) {
     throw io::InputError(scene.file + ": " + *problem);
   }
+}
+
+io::Simulation build_runnable(const io::Scene& scene, const RunRequest& request) {
+  require_memory(scene, io::bytes_to_run(scene));
   io::Simulation made = io::build(scene, request.context);
+  const auto plan = made.world.plan();
+  made.require(plan.status(), scene.file);
+  const bool pictures = !request.frames.folder.empty() && (request.frames.has(FrameFormat::png) ||
+                                                           request.frames.has(FrameFormat::mp4));
+  require_memory(scene, io::bytes_to_run(scene, plan->bytes_total, pictures));
   if (!scene.solver.unsafe) {
     if (const auto problem = beyond_bound(scene, made, made.world.stability())) {
       throw io::InputError(scene.file + ": $.time.substeps: " + *problem);
@@ -129,6 +139,11 @@ std::string simulate(const io::Scene& scene, io::Simulation& made, FrameOutput* 
   update_frames(frames, 0, made, report);
   Progress progress(count);
   for (uint64_t frame = 1; frame <= count; ++frame) {
+    if (stop_signal() != 0) {
+      begin_to_stop();
+      return "stopped after frame " + std::to_string(frame - 1) + " of " + std::to_string(count) +
+             " (signal " + std::to_string(stop_signal()) + ") run it again for the rest";
+    }
     const std::string which = std::to_string(frame) + " of " + std::to_string(count);
     Status status = Status::ok;
     {
@@ -142,10 +157,6 @@ std::string simulate(const io::Scene& scene, io::Simulation& made, FrameOutput* 
     made.require(status, scene.file);
     update_frames(frames, frame, made, report);
     progress.update(frame);
-    if (stop_signal() != 0 && frame < count) {
-      return "stopped after frame " + which + " (signal " + std::to_string(stop_signal()) +
-             ") run it again for the rest";
-    }
   }
   return "";
 }
@@ -194,9 +205,14 @@ int run_command(const RunOptions& options) {
   }
   io::Report report;
   collect_fallback(made, report.events);
-  const std::string early = simulate(scene, made, frames ? &*frames : nullptr, report);
+  std::string early = simulate(scene, made, frames ? &*frames : nullptr, report);
   if (frames) frames->commit();
   collect_figures(scene, made, report);
+  if (early.empty() && !std::isfinite(report.mechanics.kinetic)) {
+    early =
+        "ends with velocities that are not finite (forces or masses are extreme) give less of "
+        "them, or \"float64\"";
+  }
   if (!options.report.empty()) io::write_report(options.report, report);
   if (!early.empty()) throw io::OutputError(scene.file + ": " + early);
   constexpr double absurd = 10;

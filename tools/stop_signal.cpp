@@ -3,6 +3,8 @@
 #include "commands.h"
 #include "output.h"
 
+#include "io/temporary_file.h"
+
 #include <chrono>
 #include <atomic>
 #include <csignal>
@@ -17,6 +19,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 constexpr auto look = std::chrono::milliseconds(100);
+constexpr const char* usual = "writing files";
 constexpr auto patience = std::chrono::seconds(2);
 
 std::atomic<int> came{0};
@@ -27,7 +30,7 @@ extern "C" void note(int number) { came = number; }
 /// What the main thread does, as the watching one sees it.
 struct Work {
   std::mutex mutex;
-  bool goes_on = false;
+  bool stops = false;
   std::string what;
   std::function<void()> rescue;
 };
@@ -44,6 +47,7 @@ Work& work() {
   } catch (const std::exception& error) {
     print_message(error.what());
   }
+  io::TemporaryFile::remove_all();
   print_message("stopped in the middle of " + now.what + " (signal " + std::to_string(came) +
                 ", and it takes long) run it again with less to do at once");
   std::_Exit(stopped);
@@ -57,7 +61,7 @@ void watch() {
     if (asked == Clock::time_point{}) asked = Clock::now();
     if (Clock::now() - asked < patience) continue;
     const std::lock_guard<std::mutex> lock(work().mutex);
-    if (work().goes_on) end_in_the_middle(work());
+    if (!work().stops) end_in_the_middle(work());
   }
 }
 
@@ -66,23 +70,29 @@ void watch() {
 void catch_stop_signals() {
   std::signal(SIGINT, note);
   std::signal(SIGTERM, note);
-  work();
+  std::signal(SIGHUP, note);
+  work().what = usual;
   std::thread(watch).detach();
 }
 
 int stop_signal() { return came; }
 
+void begin_to_stop() {
+  const std::lock_guard<std::mutex> lock(work().mutex);
+  work().stops = true;
+}
+
 LongWork::LongWork(std::string what, std::function<void()> rescue) {
   const std::lock_guard<std::mutex> lock(work().mutex);
   work().what = std::move(what);
   work().rescue = std::move(rescue);
-  work().goes_on = true;
 }
 
 // Waits for ever when the program is ending.
 LongWork::~LongWork() {
   const std::lock_guard<std::mutex> lock(work().mutex);
-  work().goes_on = false;
+  work().what = usual;
+  work().rescue = {};
 }
 
 }  // namespace weft::tools

@@ -1,4 +1,4 @@
-// Being asked to stop: by Ctrl-C or by kill.
+// Being asked to stop: by Ctrl-C, by kill, or because the terminal is gone.
 #pragma once
 
 #include <functional>
@@ -6,17 +6,19 @@
 
 namespace weft::tools {
 
-/// From now on SIGINT and SIGTERM are only noted, and a run ends when it comes to it.
+/// From now on SIGINT, SIGTERM and SIGHUP are only noted. Two seconds later the program ends in the
+/// middle of what it does, with exit code 3, a message and no file that is not whole, unless it has
+/// begun to stop by itself.
 void catch_stop_signals();
 /// The number of the signal that came; 0 for none.
 int stop_signal();
+/// The program has noticed the signal and will end without further ado.
+void begin_to_stop();
 
-/// Work that nothing interrupts, such as a frame. When a signal came and the work goes on for two
-/// more seconds, the program ends in the middle of it, with exit code 3 and a message, after
-/// `rescue`, which runs beside the work and must not touch what it uses. One at a time.
+/// What the program does, for the message: "frame 3 of 10". `rescue` is called before the program
+/// ends in the middle of it, on another thread, and must not touch what the work uses.
 class LongWork {
  public:
-  /// "frame 3 of 10"
   explicit LongWork(std::string what, std::function<void()> rescue = {});
   LongWork(const LongWork&) = delete;
   LongWork& operator=(const LongWork&) = delete;

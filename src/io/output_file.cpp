@@ -6,7 +6,6 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <atomic>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -17,13 +16,6 @@ namespace {
 
 namespace fs = std::filesystem;
 constexpr size_t buffer_size = size_t(1) << 18;
-
-std::string temporary_name(const fs::path& target) {
-  static std::atomic<unsigned> serial{0};
-  const std::string name = "." + target.filename().string() + "." + std::to_string(::getpid()) +
-                           "-" + std::to_string(serial++) + ".tmp";
-  return (target.parent_path() / name).string();
-}
 
 bool is_device(const std::string& path) {
   struct stat status {};
@@ -45,12 +37,13 @@ OutputFile::OutputFile(const std::string& path, Sync sync) : path_(path), sync_(
     errno = path.empty() ? ENOENT : EISDIR;
     fail("opened");
   }
-  temporary_ = temporary_name(target_);
-  descriptor_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-  if (descriptor_ < 0) {
-    temporary_.clear();
-    fail("made");
+  if (fs::is_symlink(target_, ignored)) {
+    errno = ELOOP;
+    fail("opened");
   }
+  temporary_ = TemporaryFile(target_);
+  descriptor_ = ::open(temporary_.path().c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+  if (descriptor_ < 0) fail("made");
 }
 
 OutputFile::~OutputFile() { discard(); }
@@ -91,13 +84,12 @@ void OutputFile::overwrite(size_t offset, std::string_view bytes) {
 
 void OutputFile::commit() {
   flush();
-  if (sync_ == Sync::yes && !temporary_.empty() && ::fsync(descriptor_) != 0) fail("written");
+  if (sync_ == Sync::yes && !temporary_.path().empty() && ::fsync(descriptor_) != 0)
+    fail("written");
   const int closed = ::close(descriptor_);
   descriptor_ = -1;
   if (closed != 0) fail("closed");
-  if (temporary_.empty()) return;
-  if (::rename(temporary_.c_str(), target_.c_str()) != 0) fail("renamed");
-  temporary_.clear();
+  if (!temporary_.path().empty() && !temporary_.become(target_)) fail("renamed");
 }
 
 void OutputFile::fail(const char* doing) {
@@ -111,8 +103,7 @@ void OutputFile::fail(const char* doing) {
 void OutputFile::discard() noexcept {
   if (descriptor_ >= 0) ::close(descriptor_);
   descriptor_ = -1;
-  if (!temporary_.empty()) ::unlink(temporary_.c_str());
-  temporary_.clear();
+  temporary_.remove();
 }
 
 std::string follow_links(const std::string& path) {

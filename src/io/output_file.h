@@ -1,6 +1,8 @@
 // Files that appear whole or not at all.
 #pragma once
 
+#include "io/temporary_file.h"
+
 #include <cstddef>
 #include <string>
 #include <string_view>
@@ -35,9 +37,9 @@ class OutputFile {
   void write_through(std::string_view bytes);
   void discard() noexcept;
 
-  std::string path_;       ///< as given, for messages
-  std::string target_;     ///< with symbolic links followed
-  std::string temporary_;  ///< empty: written directly
+  std::string path_;         ///< as given, for messages
+  std::string target_;       ///< with symbolic links followed
+  TemporaryFile temporary_;  ///< none: written directly
   Sync sync_;
   int descriptor_ = -1;
   std::vector<char> buffer_;

@@ -103,6 +103,7 @@ std::unique_ptr<FrameSink> make_pictures(const PictureSettings& settings, const 
                          " s between the pictures of a film are too many (it shows one for an hour "
                          "at most) give less, or write png");
   }
+  if (settings.mp4) render::require_films(film_path(settings.folder, scene.file));
   const Views views = rehearse(scene, start, settings.clock, desc);
   return std::make_unique<Pictures>(settings, scene, start, views);
 }

@@ -10,8 +10,10 @@
 #include <array>
 #include <cerrno>
 #include <csignal>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
+#include <sstream>
 #include <vector>
 
 extern char** environ;
@@ -19,16 +21,17 @@ extern char** environ;
 namespace weft::render {
 namespace {
 
-std::string temporary_name(const std::filesystem::path& target) {
-  const std::string name =
-      "." + target.filename().string() + "." + std::to_string(::getpid()) + ".tmp";
-  return (target.parent_path() / name).string();
-}
+/// The descriptors that ffmpeg gets. It writes the film to one that is open already: no name of a
+/// file looks like an option or a protocol then, and none comes to life again after we have gone.
+struct Ends {
+  int input, errors, film;
+};
+constexpr int film_descriptor = 3;
+constexpr const char* film = "file:/dev/fd/3";
 
 /// ffmpeg's arguments: raw pictures in, H.264 that every player knows out. Its picture has even
 /// sides, so an odd one is padded.
-std::vector<std::string> arguments(const std::string& path, uint32_t width, uint32_t height,
-                                   double rate) {
+std::vector<std::string> arguments(uint32_t width, uint32_t height, double rate) {
   std::array<char, 40> rate_text{};
   std::snprintf(rate_text.data(), rate_text.size(), "%.9g", rate);
   return {"ffmpeg",      "-nostdin",
@@ -44,18 +47,25 @@ std::vector<std::string> arguments(const std::string& path, uint32_t width, uint
           "-crf",        "20",
           "-movflags",   "+faststart",
           "-f",          "mp4",
-          "-y",          path};
+          "-y",          film};
 }
 
-/// Starts ffmpeg with `input` as its standard input; an error number.
-int start(const std::vector<std::string>& words, int input, pid_t& process) {
+[[noreturn]] void fail_without(const std::string& film, int code) {
+  throw io::UnavailableError(film + ": films cannot be made (ffmpeg: " + std::strerror(code) +
+                             ") install it, for example apt-get install ffmpeg, or write png");
+}
+
+/// Starts ffmpeg; an error number.
+int start(const std::vector<std::string>& words, const Ends& ends, pid_t& process) {
   std::vector<char*> argv;
   for (const std::string& word : words) argv.push_back(const_cast<char*>(word.c_str()));
   argv.push_back(nullptr);
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_adddup2(&actions, input, STDIN_FILENO);
+  posix_spawn_file_actions_adddup2(&actions, ends.input, STDIN_FILENO);
   posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
+  posix_spawn_file_actions_adddup2(&actions, ends.errors, STDERR_FILENO);
+  posix_spawn_file_actions_adddup2(&actions, ends.film, film_descriptor);
   // In a group of its own: Ctrl-C stops weft, which then ends the film.
   posix_spawnattr_t attributes;
   posix_spawnattr_init(&attributes);
@@ -68,20 +78,34 @@ int start(const std::vector<std::string>& words, int input, pid_t& process) {
 
 }  // namespace
 
-Video::Video(const std::string& path, uint32_t width, uint32_t height, double frames_per_second)
-    : path_(path), temporary_(temporary_name(path)) {
-  std::array<int, 2> ends{};
-  if (::pipe2(ends.data(), O_CLOEXEC) != 0) fail(std::strerror(errno));
-  pipe_ = ends[1];
-  const int code =
-      start(arguments(temporary_, width, height, frames_per_second), ends[0], encoder_);
-  ::close(ends[0]);
-  if (code != 0) {
-    encoder_ = -1;
-    discard();
-    throw io::UnavailableError(path_ + ": films cannot be made (ffmpeg: " + std::strerror(code) +
-                               ") install it, for example apt-get install ffmpeg, or write png");
+void require_films(const std::string& film) {
+  const char* const folders = std::getenv("PATH");
+  std::istringstream list(folders ? folders : "");
+  for (std::string folder; std::getline(list, folder, ':');) {
+    if (::access((folder + "/ffmpeg").c_str(), X_OK) == 0) return;
   }
+  fail_without(film, ENOENT);
+}
+
+Video::Video(const std::string& path, uint32_t width, uint32_t height, double frames_per_second)
+    : path_(path), temporary_(path), complaints_(std::tmpfile(), std::fclose) {
+  if (!complaints_) fail(std::strerror(errno));
+  const int file = ::open(temporary_.path().c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+  if (file < 0) fail(std::strerror(errno));
+  std::array<int, 2> ends{};
+  if (::pipe2(ends.data(), O_CLOEXEC) != 0) {
+    ::close(file);
+    fail(std::strerror(errno));
+  }
+  pipe_ = ends[1];
+  const int code = start(arguments(width, height, frames_per_second),
+                         {ends[0], ::fileno(complaints_.get()), file}, encoder_);
+  ::close(ends[0]);
+  ::close(file);
+  if (code == 0) return;
+  encoder_ = -1;
+  discard();
+  fail_without(path_, code);
 }
 
 Video::~Video() { discard(); }
@@ -102,14 +126,25 @@ void Video::add(const Image& image) {
     }
   }
   std::signal(SIGPIPE, old_handler);
-  if (failure != 0) fail(std::string("ffmpeg takes no more pictures: ") + std::strerror(failure));
+  if (failure == 0) return;
+  wait();
+  fail(std::string("ffmpeg takes no more pictures: ") + std::strerror(failure) + complaint());
 }
 
+// A full disk at the end of a film is no error to ffmpeg, but it complains.
 void Video::commit() {
   const int status = wait();
-  if (status != 0) fail("ffmpeg ended with status " + std::to_string(status));
-  if (::rename(temporary_.c_str(), path_.c_str()) != 0) fail(std::strerror(errno));
-  temporary_.clear();
+  const std::string said = complaint();
+  if (status != 0) fail("ffmpeg ended with status " + std::to_string(status) + said);
+  if (!said.empty()) fail("ffmpeg" + said);
+  if (!temporary_.become(path_)) fail(std::strerror(errno));
+}
+
+std::string Video::complaint() const {
+  char line[200] = "";
+  std::rewind(complaints_.get());
+  if (!std::fgets(line, sizeof line, complaints_.get())) return "";
+  return ": " + std::string(line, std::strcspn(line, "\n"));
 }
 
 int Video::wait() {
@@ -132,8 +167,7 @@ void Video::fail(const std::string& why) {
 void Video::discard() noexcept {
   if (encoder_ >= 0) ::kill(encoder_, SIGTERM);
   wait();
-  if (!temporary_.empty()) ::unlink(temporary_.c_str());
-  temporary_.clear();
+  temporary_.remove();
 }
 
 }  // namespace weft::render

@@ -3,11 +3,18 @@
 
 #include "render/image.h"
 
+#include "io/temporary_file.h"
+
 #include <sys/types.h>
 
+#include <cstdio>
+#include <memory>
 #include <string>
 
 namespace weft::render {
+
+/// UnavailableError, naming the film, where there is no ffmpeg.
+void require_films(const std::string& film);
 
 /// An H.264 film in an MP4 file, which appears whole or not at all. UnavailableError where there is
 /// no ffmpeg; OutputError when it fails.
@@ -23,10 +30,13 @@ class Video {
 
  private:
   [[noreturn]] void fail(const std::string& why);
-  int wait();  ///< closes the pipe; ffmpeg's exit status
+  std::string complaint() const;  ///< the first line of what ffmpeg said
+  int wait();                     ///< closes the pipe; ffmpeg's exit status
   void discard() noexcept;
 
-  std::string path_, temporary_;
+  std::string path_;
+  io::TemporaryFile temporary_;
+  std::unique_ptr<std::FILE, int (*)(std::FILE*)> complaints_;  ///< ffmpeg's standard error
   pid_t encoder_ = -1;
   int pipe_ = -1;
 };

@@ -175,6 +175,20 @@ TEST(Pictures, FilmsNeedFfmpegAndLeaveNothingWithout) {
   ASSERT_EQ(run_weft(run, in_software).code, 0);
   EXPECT_GT(std::filesystem::file_size(folder / "f/s.mp4"), 1000u);
   EXPECT_EQ(folder.file_count(), 2u);
+  const std::string good = io::test::read_text(folder / "f/s.mp4");
+  const Outcome full = run_weft(run, std::string("ulimit -f 2; ") + in_software);
+  EXPECT_EQ(full.code, 3) << "a disk that fills up at the end of the film";
+  EXPECT_EQ(io::test::read_text(folder / "f/s.mp4"), good);
+  EXPECT_EQ(folder.file_count(), 2u);
+  // Names that ffmpeg would take for a protocol or an option.
+  for (const char* name : {"a:b", "-d"}) {
+    EXPECT_EQ(
+        run_weft("run --format mp4 --size 32x32 --time 0.02 --out=" + (folder / name) + " " + scene,
+                 in_software)
+            .code,
+        0);
+    EXPECT_TRUE(std::filesystem::exists(folder / name + "/s.mp4"));
+  }
 }
 
 }  // namespace

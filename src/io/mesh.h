@@ -20,11 +20,11 @@ struct Mesh {
 uint64_t largest_mesh_memory();
 
 /// Reads OBJ or PLY, told apart by the first bytes. A mesh without triangles is not an error here;
-/// one without vertices is. InputError names the file, the line or element, the value.
-Mesh read_mesh(const std::string& path);
+/// one without vertices is. InputError names the file, the line or element, the value. Text and
+/// mesh together, and what reading takes besides, have at most `most_bytes`.
+Mesh read_mesh(const std::string& path, uint64_t most_bytes = largest_mesh_memory());
 
-/// The same from memory; `name` goes into messages. Text and mesh together, and what reading takes
-/// besides, have at most `most_bytes`.
+/// The same from memory; `name` goes into messages.
 Mesh read_obj(std::string_view text, const std::string& name,
               uint64_t most_bytes = largest_mesh_memory());
 Mesh read_ply(std::string_view text, const std::string& name,

@@ -83,6 +83,7 @@ class HeaderReader {
   }
 
   void read_format(Cursor& line) {
+    if (has_format_) fail("the format is given twice (only one can hold)", "remove one of the two");
     has_format_ = true;
     const std::string_view word = next_word(line);
     if (word == "ascii")

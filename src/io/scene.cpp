@@ -52,7 +52,7 @@ Scene read_scene_text(std::string_view text, const std::string& path) {
   const Json json = parse_json(text, path);
   Scene scene;
   scene.file = path;
-  MeshCache meshes{std::filesystem::path(path).parent_path().string(), {}};
+  MeshCache meshes{std::filesystem::path(path).parent_path().string(), {}, 0};
   try {
     read_root(Node(json), scene, meshes);
     for (const auto& [file, mesh] : meshes.meshes) scene.meshes.push_back(file);

@@ -11,7 +11,8 @@ namespace weft::io {
 /// Where mesh files are, and those that were read.
 struct MeshCache {
   std::string folder;
-  std::map<std::string, std::shared_ptr<const Mesh>> meshes;
+  std::map<std::string, std::shared_ptr<const Mesh>> meshes;  ///< by path without detours
+  uint64_t bytes = 0;                                         ///< of all of them
 };
 
 void read_time(const Node&, TimeSettings&);

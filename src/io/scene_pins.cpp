@@ -25,13 +25,20 @@ class PinReader {
       if (entry.is_object())
         read_group(entry);
       else
-        add(entry.index(vertices_, "vertices"), Pin::fixed);
+        add(entry, entry.index(vertices_, "vertices"), Pin::fixed);
     }
     finish(pins);
   }
 
  private:
-  void add(uint32_t vertex, uint32_t motion) { cloth_.pins.push_back({vertex, motion}); }
+  // A row is short to name and long to hold.
+  void add(const Node& node, uint32_t vertex, uint32_t motion) {
+    if (cloth_.pins.size() == 4 * uint64_t(vertices_) + 1000) {
+      node.fail("pins vertices that were named four times each before (there are " +
+                std::to_string(vertices_) + ") leave out what is repeated");
+    }
+    cloth_.pins.push_back({vertex, motion});
+  }
 
   void read_group(const Node& group) {
     group.require_object({"vertices", "rows", "columns", "corners", "motion"});
@@ -39,7 +46,9 @@ class PinReader {
     if (const auto node = group.find("motion")) motion = read_motion(*node);
     if (const auto node = group.find("vertices")) {
       const size_t count = node->array_size("an array of vertex indices");
-      for (size_t i = 0; i < count; ++i) add((*node)[i].index(vertices_, "vertices"), motion);
+      for (size_t i = 0; i < count; ++i) {
+        add(*node, (*node)[i].index(vertices_, "vertices"), motion);
+      }
     }
     if (const auto node = group.find("rows")) read_rows(*node, motion);
     if (const auto node = group.find("columns")) read_columns(*node, motion);
@@ -68,7 +77,7 @@ class PinReader {
     if (count > 0) require_grid(node);
     for (size_t i = 0; i < count; ++i) {
       const uint32_t row = node[i].index(grid_->rows, "rows");
-      for (uint32_t c = 0; c < grid_->columns; ++c) add(row * grid_->columns + c, motion);
+      for (uint32_t c = 0; c < grid_->columns; ++c) add(node, row * grid_->columns + c, motion);
     }
   }
   void read_columns(const Node& node, uint32_t motion) {
@@ -76,7 +85,7 @@ class PinReader {
     if (count > 0) require_grid(node);
     for (size_t i = 0; i < count; ++i) {
       const uint32_t column = node[i].index(grid_->columns, "columns");
-      for (uint32_t r = 0; r < grid_->rows; ++r) add(r * grid_->columns + column, motion);
+      for (uint32_t r = 0; r < grid_->rows; ++r) add(node, r * grid_->columns + column, motion);
     }
   }
   void add_corners(const Node& node, uint32_t motion) {
@@ -84,7 +93,7 @@ class PinReader {
     const uint32_t last_row = (grid_->rows - 1) * grid_->columns;
     for (const uint32_t vertex :
          {0u, grid_->columns - 1, last_row, last_row + grid_->columns - 1}) {
-      add(vertex, motion);
+      add(node, vertex, motion);
     }
   }
 

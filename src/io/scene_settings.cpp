@@ -79,7 +79,7 @@ void read_time(const Node& node, TimeSettings& time) {
   if (key->is_string()) {
     time.substeps = key->choice<uint32_t>({{"auto", 0}});
   } else {
-    time.substeps = uint32_t(key->integer(1, INT32_MAX, "a frame takes 1 to 2^31 - 1 substeps"));
+    time.substeps = uint32_t(key->integer(1, 1000000000, "a frame takes 1 to 1e9 substeps"));
   }
 }
 

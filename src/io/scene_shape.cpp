@@ -47,14 +47,20 @@ std::shared_ptr<const Mesh> load_mesh(const Node& file, MeshCache& cache, const 
               " is no path that is read (it has control characters, or more than 1000 bytes) "
               "rename the file");
   }
-  const std::string path = (std::filesystem::path(cache.folder) / name).string();
+  const auto given = std::filesystem::path(cache.folder) / name;
+  std::error_code failure;
+  const auto found = std::filesystem::canonical(given, failure);
+  const std::string path = (failure ? given : found).string();
   auto& mesh = cache.meshes[path];
   if (mesh) return mesh;
   try {
-    mesh = std::make_shared<const Mesh>(read_mesh(path));
+    mesh = std::make_shared<const Mesh>(read_mesh(
+        given.string(), largest_mesh_memory() - std::min(cache.bytes, largest_mesh_memory())));
   } catch (const InputError& error) {
     file.fail(error.what());
   }
+  cache.bytes +=
+      mesh->positions.size() * sizeof(double3) + mesh->triangles.size() * sizeof(uint32_t);
   if (mesh->triangles.empty()) {
     file.fail(path + ": has no faces " + need);
   }

@@ -60,6 +60,9 @@ TEST(MeshFile, ReadsLinesThatEndWithACarriageReturn) {
       "ply\ncomment ascii\nformat binary_little_endian 1.0\nelement vertex 1\nproperty uchar x\n"
       "property uchar y\nproperty uchar z\nend_header\n\r\r\r";
   EXPECT_EQ(read_mesh(folder.write("binary.ply", binary)).positions[0].x, 13);
+  EXPECT_EQ(read_mesh(folder.write("blank.ply", "ply " + binary.substr(3))).positions[0].x, 13);
+  EXPECT_CONTAINS(error(folder.write("twice.ply", "ply\nformat ascii 1.0\n" + binary.substr(4))),
+                  "line 4: the format is given twice");
 }
 
 // Limits that a test can reach instead of half of the machine's memory.

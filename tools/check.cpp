@@ -37,7 +37,7 @@ const char* name_of(Severity severity) {
 }
 
 std::vector<Finding> find_all(const io::Scene& scene, io::Simulation& made,
-                              const Stability& stability) {
+                              const Stability& stability, uint64_t planned) {
   std::vector<Finding> findings;
   for (size_t i = 0; i < scene.cloths.size(); ++i) {
     if (const auto* shape = std::get_if<io::MeshShape>(&scene.cloths[i].shape)) {
@@ -52,7 +52,7 @@ std::vector<Finding> find_all(const io::Scene& scene, io::Simulation& made,
   for (Windless& cloth : windless_cloths(scene, made)) {
     findings.push_back({"warning", cloth.cloth, 0, std::move(cloth.text), true});
   }
-  if (const auto problem = io::beyond_memory(scene)) {
+  if (const auto problem = io::beyond_memory(io::bytes_to_run(scene, planned, false))) {
     findings.push_back({"warning", std::nullopt, 0, *problem});
   }
   if (const auto problem = beyond_bound(scene, made, stability)) {
@@ -99,7 +99,7 @@ int check_command(const CommonOptions& options) {
   const auto planned = made.world.plan();
   made.require(planned.status(), scene.file);
   const PlanInfo& plan = *planned;
-  const std::vector<Finding> findings = find_all(scene, made, stability);
+  const std::vector<Finding> findings = find_all(scene, made, stability, plan.bytes_total);
   if (!options.json) {
     print_human(scene, made, stats, stability, plan.bytes_total, findings);
     return done;

@@ -2,6 +2,8 @@
 
 #include "io/scene_size.h"
 
+#include <map>
+
 namespace weft::io {
 namespace {
 
@@ -79,22 +81,18 @@ class ColliderMaker {
  private:
   // Cooking is slow and its result is large, so equal meshes are one.
   Result<ColliderMesh> cook(const MeshColliderScene& scene) {
-    for (size_t i = 0; i < cooked_.size(); ++i) {
-      if (same_mesh(*cooked_[i], scene)) return made_.collider_meshes[i];
-    }
+    const auto [known, is_new] = cooked_.emplace(key_of(scene), made_.collider_meshes.size());
+    if (!is_new) return made_.collider_meshes[known->second];
     auto mesh = made_.context.cook(ColliderMeshDesc{View<double3>(scene.mesh->positions),
                                                     scene.mesh->triangles, scene.scale,
                                                     scene.thickness, scene.closed});
-    if (mesh) {
-      cooked_.push_back(&scene);
-      made_.collider_meshes.push_back(*mesh);
-    }
+    if (mesh) made_.collider_meshes.push_back(*mesh);
     return mesh;
   }
 
   Simulation& made_;
   World& world_;
-  std::vector<const MeshColliderScene*> cooked_;  ///< what collider_meshes were made from
+  std::map<MeshKey, size_t> cooked_;  ///< numbers of collider_meshes
 };
 
 std::string element_path(const Scene& scene, const char* key, size_t index) {

@@ -4,14 +4,18 @@
 #include "io/file_text.h"
 #include "io/text_cursor.h"
 
+#include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace weft::io {
 namespace {
 
 constexpr uint64_t most_particles = uint64_t(1) << 30;
 constexpr uint64_t per_particle = 250, per_triangle = 250, per_spring = 100;
-constexpr uint64_t per_collider_triangle = 1200;
+constexpr uint64_t per_collider_triangle = 1200, per_collider_mesh = 50000;
+/// Of positions, velocities and triangles that are read out to be written.
+constexpr uint64_t per_particle_written = 300;
 
 uint64_t particles(const Scene& scene) {
   uint64_t sum = 0;
@@ -21,10 +25,10 @@ uint64_t particles(const Scene& scene) {
 
 uint64_t bytes_of(const Shape& shape) {
   if (const auto* mesh = std::get_if<MeshShape>(&shape)) {
-    return mesh->mesh->triangles.size() / 3 * per_triangle;
+    return mesh->mesh->triangles.size() / 3 * per_triangle + vertex_count(shape) * per_particle;
   }
   if (const auto* network = std::get_if<NetworkShape>(&shape)) {
-    return network->springs.size() * per_spring;
+    return network->springs.size() * per_spring + vertex_count(shape) * per_particle;
   }
   return 0;  // a grid's springs are a rule
 }
@@ -41,29 +45,35 @@ std::optional<std::string> problem_of(uint64_t bytes, const char* what) {
 
 }  // namespace
 
-bool same_mesh(const MeshColliderScene& a, const MeshColliderScene& b) {
-  return a.mesh == b.mesh && a.scale == b.scale && a.thickness == b.thickness &&
-         a.closed == b.closed;
+MeshKey key_of(const MeshColliderScene& d) {
+  return {d.mesh.get(), d.scale, d.thickness, d.closed};
 }
 
 uint64_t bytes_to_build(const Scene& scene) {
   uint64_t sum = 0;
   for (const ClothScene& cloth : scene.cloths) sum += bytes_of(cloth.shape);
-  std::vector<const MeshColliderScene*> meshes;
+  std::set<MeshKey> known;
   for (const ColliderScene& collider : scene.colliders) {
     const auto* mesh = std::get_if<MeshColliderScene>(&collider);
-    if (!mesh) continue;
-    bool known = false;
-    for (const MeshColliderScene* other : meshes) known = known || same_mesh(*mesh, *other);
-    if (known) continue;
-    meshes.push_back(mesh);
-    sum += mesh->mesh->triangles.size() / 3 * per_collider_triangle;
+    if (!mesh || !known.insert(key_of(*mesh)).second) continue;
+    sum += mesh->mesh->triangles.size() / 3 * per_collider_triangle + per_collider_mesh;
   }
   return sum;
 }
 
 uint64_t bytes_to_run(const Scene& scene) {
-  return bytes_to_build(scene) + particles(scene) * per_particle;
+  uint64_t sum = bytes_to_build(scene);
+  for (const ClothScene& cloth : scene.cloths) {
+    if (std::holds_alternative<GridShape>(cloth.shape)) {
+      sum += vertex_count(cloth.shape) * per_particle;
+    }
+  }
+  return sum;
+}
+
+uint64_t bytes_to_run(const Scene& scene, uint64_t planned, bool pictures) {
+  const uint64_t once = planned + particles(scene) * per_particle_written;
+  return std::max(bytes_to_run(scene), pictures ? 2 * once : once);
 }
 
 void require_buildable(const Scene& scene) {
@@ -76,8 +86,6 @@ void require_buildable(const Scene& scene) {
   }
 }
 
-std::optional<std::string> beyond_memory(const Scene& scene) {
-  return problem_of(bytes_to_run(scene), "run");
-}
+std::optional<std::string> beyond_memory(uint64_t bytes) { return problem_of(bytes, "run"); }
 
 }  // namespace weft::io

@@ -41,15 +41,15 @@ bool is_frame(const fs::path& file, const FrameSettings& settings) {
           (extension == ".png" && settings.has(FrameFormat::png)));
 }
 
-// A frame would be written to where the link leads: over the scene, or over another frame.
-void refuse_links(const FrameSettings& settings) {
+// Through a link, a frame would be written over the scene, or over another frame; a folder or a
+// pipe takes none.
+void require_file(const fs::path& path) {
   std::error_code none;
-  for (const auto& entry : fs::directory_iterator(settings.folder, none)) {
-    if (!entry.is_symlink(none) || !is_frame(entry.path(), settings)) continue;
-    throw io::InputError("--out: " + io::quoted(entry.path().string()) +
-                         " is a symbolic link (a frame would be written through it) remove it, or "
-                         "give another folder");
-  }
+  const fs::file_status there = fs::symlink_status(path, none);
+  if (!fs::exists(there) || fs::is_regular_file(there)) return;
+  throw io::InputError("--out: " + io::quoted(path.string()) + " is " +
+                       (fs::is_symlink(there) ? "a symbolic link" : "not a file") +
+                       " (frames become files of that name) remove it, or give another folder");
 }
 
 }  // namespace
@@ -75,16 +75,29 @@ void OutputPaths::add_frames(const FrameSettings& settings, const io::Scene& sce
     if (file.parent_path() != there || !is_frame(file, settings)) continue;
     refuse("--out", (folder / file.filename()).string(), what);
   }
-  refuse_links(settings);
+  for (fs::path above = there; above != above.root_path(); above = above.parent_path()) {
+    const auto file = taken_.find(above.string());
+    if (file != taken_.end()) refuse("--out", settings.folder, file->second);
+  }
+  std::error_code none;
+  for (const auto& entry : fs::directory_iterator(folder, none)) {
+    if (is_frame(entry.path(), settings)) require_file(entry.path());
+  }
   if (settings.has(FrameFormat::pc2)) {
     std::vector<std::string> cloths;
     for (const io::ClothScene& cloth : scene.cloths) cloths.push_back(cloth.name);
     for (const std::string& name : cache_names(cloths)) {
-      add("--out", (folder / (name + ".obj")).string());
-      add("--out", (folder / (name + ".pc2")).string());
+      for (const char* extension : {".obj", ".pc2"}) {
+        require_file(folder / (name + extension));
+        add("--out", (folder / (name + extension)).string());
+      }
     }
   }
-  if (settings.has(FrameFormat::mp4)) add("--out", film_path(settings.folder, scene.file));
+  if (settings.has(FrameFormat::mp4)) {
+    const std::string film = film_path(settings.folder, scene.file);
+    require_file(film);
+    add("--out", film);
+  }
 }
 
 }  // namespace weft::tools

@@ -3,6 +3,8 @@
 
 #include "io/point_cache.h"
 
+#include <sys/stat.h>
+
 #include <chrono>
 
 namespace weft::io::test {
@@ -89,6 +91,49 @@ TEST_F(Failure, ASignalEndsALongFrame) {
   EXPECT_EQ(read_point_cache(folder / "f/sheet.pc2").samples, 1u) << "what there was is whole";
 }
 
+// Nobody reads from the pipe.
+TEST_F(Failure, ASignalEndsAWriteThatWaits) {
+  const std::string pipe = folder / "pipe";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  expect_failure(run_weft("run --final " + pipe + " " + scene(falling_scene()),
+                          "exec timeout --preserve-status -s HUP 0.5 "),
+                 3, "stopped in the middle of writing files (signal 1");
+}
+
+TEST_F(Failure, ClosedStandardStreamsDoNotBecomeFiles) {
+  Json json = falling_scene();
+  json["cloths"][0]["grid"]["rows"] = 1;
+  json["wind"] = {{"velocity", {1, 0, 0}}};
+  const std::string command = std::string(WEFT_PROGRAM) + " run --format pc2 --out " +
+                              (folder / "f") + " " + scene(json) + " <&- 2>&- >/dev/null";
+  EXPECT_EQ(std::system(command.c_str()), 0);
+  EXPECT_EQ(read_point_cache(folder / "f/sheet.pc2").samples, 7u) << "no message stands in it";
+}
+
+TEST_F(Failure, APipeThatIsClosedLeavesNothingHalfWritten) {
+  Json json = falling_scene();
+  json["cloths"][0]["grid"]["rows"] = 1;
+  json["wind"] = {{"velocity", {1, 0, 0}}};
+  const std::string command = std::string(WEFT_PROGRAM) + " run --format pc2 --out " +
+                              (folder / "f") + " " + scene(json) + " 2>&1 >/dev/null | true";
+  EXPECT_EQ(std::system(command.c_str()), 0);
+  for (const auto& entry : std::filesystem::directory_iterator(folder / "f")) {
+    EXPECT_EQ(entry.path().filename().string()[0], 's') << entry.path();
+  }
+}
+
+// Forces that leave the range of floats within the last step.
+TEST_F(Failure, VelocitiesThatAreNotFiniteAreAnError) {
+  Json json = falling_scene();
+  json["solver"] = {{"precision", "float32"}};
+  json["gravity"] = {0, -9e17, 0};
+  json["wind"] = {{"velocity", {1, 0, 0}}};
+  json["colliders"] = Json::parse(R"([{"sphere": {"center": [0, 0, 0], "radius": 0.3}}])");
+  expect_failure(run_weft("run --time 0.01 --final " + (folder / "f.csv") + " " + scene(json)), 3,
+                 "ends with velocities that are not finite");
+  EXPECT_FALSE(std::filesystem::exists(folder / "f.csv"));
+}
+
 // Names are printed, and a terminal obeys some characters.
 TEST_F(Failure, ControlCharactersDoNotReachTheTerminal) {
   Json json = falling_scene();
@@ -120,8 +165,8 @@ TEST_F(Failure, UnwritablePlacesAreFoundBeforeSimulating) {
   const std::string below = file + "/below";
   expect_failure(run_weft("run --final " + below + " " + file), 3, below);
   expect_failure(run_weft("run --report " + below + " " + file), 3, below);
-  expect_failure(run_weft("run --out " + below + " " + file), 3, below);
-  expect_failure(run_weft("run --out " + file + " " + file), 3, file);
+  expect_failure(run_weft("run --out " + below + " " + file), 2, "is also the scene");
+  expect_failure(run_weft("run --out " + file + " " + file), 2, "is also the scene");
   expect_failure(run_weft("run --final " + (folder / "no/f.csv") + " " + file), 3, "no/f.csv");
   EXPECT_EQ(folder.file_count(), 1u);
 }

@@ -68,6 +68,25 @@ TEST_F(Paths, FramesAreNotWrittenThroughLinks) {
   expect_failure(run_weft(out + "--format png " + file), 2, "frame_000001.png' is a symbolic link");
   EXPECT_EQ(read_text(file), before);
   EXPECT_EQ(run_weft(out + "--format ply " + file).code, 0) << "no link is in the way of these";
+  std::filesystem::create_symlink("../s.json", folder / "f/sheet.pc2");
+  std::filesystem::create_directory(folder / "f/s.mp4");
+  expect_failure(run_weft(out + "--format pc2 " + file), 2, "sheet.pc2' is a symbolic link");
+  expect_failure(run_weft(out + "--format mp4 " + file), 2, "s.mp4' is not a file");
+  EXPECT_EQ(read_text(file), before);
+  std::filesystem::create_symlink("b", folder / "a");
+  std::filesystem::create_symlink("a", folder / "b");
+  expect_failure(run_weft("run --final " + (folder / "a") + " " + file), 3, "symbolic links");
+}
+
+TEST_F(Paths, TheFolderOfFramesIsNoOtherFile) {
+  scene(falling_scene());
+  expect_refused("--out " + (folder / "x") + " --final " + (folder / "x"),
+                 "also the file of --final");
+  expect_refused("--out " + (folder / "x/y") + " --report " + (folder / "x"),
+                 "also the file of --report");
+  const std::string name(250, 'n');
+  EXPECT_EQ(run_weft("run --final " + (folder / name) + " " + (folder / "s.json")).code, 0)
+      << "as long as a name may be";
 }
 
 TEST_F(Paths, ManyCachesNeedManyOpenFiles) {

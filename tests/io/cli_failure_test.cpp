@@ -124,11 +124,11 @@ TEST_F(Failure, APipeThatIsClosedLeavesNothingHalfWritten) {
 
 // Forces that leave the range of floats within the last step.
 TEST_F(Failure, VelocitiesThatAreNotFiniteAreAnError) {
-  Json json = falling_scene();
-  json["solver"] = {{"precision", "float32"}};
-  json["gravity"] = {0, -9e17, 0};
-  json["wind"] = {{"velocity", {1, 0, 0}}};
-  json["colliders"] = Json::parse(R"([{"sphere": {"center": [0, 0, 0], "radius": 0.3}}])");
+  const Json json = Json::parse(R"({"weft": 1, "gravity": [0, -9e17, 0],
+    "wind": {"velocity": [1, 0, 0]},
+    "colliders": [{"sphere": {"center": [0, 0, 0], "radius": 0.3}}],
+    "cloths": [{"name": "a", "mass": 1, "stiffness": 10,
+      "grid": {"rows": 4, "columns": 4, "width": 1, "height": 1, "stencil": "classic12"}}]})");
   expect_failure(run_weft("run --time 0.01 --final " + (folder / "f.csv") + " " + scene(json)), 3,
                  "ends with velocities that are not finite");
   EXPECT_FALSE(std::filesystem::exists(folder / "f.csv"));

@@ -109,7 +109,7 @@ TEST_P(Normals, OfDegenerateTrianglesAreZeroOrUnit) {
   const std::vector<Vec> n = read(test, add(test, mesh), mesh.vertices.size());
   ASSERT_TRUE(all_finite(n));
   for (const Vec v : n) EXPECT_TRUE(length(v) == 0 || std::abs(length(v) - 1) < 1e-6) << length(v);
-  for (const size_t vertex : {2, 3, 6}) EXPECT_EQ(length(n[vertex]), 0);
+  for (const size_t vertex : {2u, 3u, 6u}) EXPECT_EQ(length(n[vertex]), 0);
   expect_near(n[4], {0, 0, 1}, 1e-7);
 }
 

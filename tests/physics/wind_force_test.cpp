@@ -109,7 +109,7 @@ TEST_P(WindForce, OnRandomTrianglesIsThatOfTheReferenceWithItsLimit) {
     for (const reference::Air& air :
          {reference::Air{{9, -4, 6}, 1.225, 1, 0.02}, reference::Air{{0, 0, 0}, 1.3, 0.8, 0.6},
           reference::Air{{30, 10, -5}, 0.9, 0, 0.5}, reference::Air{{-3, 1, 2}, 2, 1.4, 0}})
-      for (const uint64_t seed : {1, 2, 3}) {
+      for (const uint64_t seed : {1u, 2u, 3u}) {
         const Crumpled cloth(seed);
         TestWorld test(plain_world(GetParam(), weft::Start::lagged));
         const weft::ClothId id = cloth.add_to(test);

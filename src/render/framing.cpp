@@ -1,6 +1,7 @@
 #include "render/framing.h"
 
 #include "render/solids.h"
+#include "render/weave.h"
 
 #include <Eigen/Geometry>
 
@@ -49,6 +50,7 @@ Vector3d up_of(const io::Scene& scene) {
 
 Framing::Framing(const io::Scene& scene, const io::Surface& start)
     : axes_(axes_for(scene, start)),
+      loose_(loose_vertices(scene, start)),
       half_height_(std::tan(scene.camera.field_of_view * std::numbers::pi / 360)),
       half_width_(half_height_ * scene.camera.width / scene.camera.height) {
   if (scene.camera.eye) eye_ = vector(*scene.camera.eye);
@@ -61,7 +63,9 @@ Framing::Framing(const io::Scene& scene, const io::Surface& start)
 }
 
 void Framing::add(const io::Surface& surface) {
-  for (const double3& p : surface.positions) add(vector(p), 0);
+  for (size_t v = 0; v < surface.positions.size(); ++v) {
+    if (!loose_[v]) add(vector(surface.positions[v]), 0);
+  }
 }
 
 void Framing::add(const Vector3d& center, double radius) {

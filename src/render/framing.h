@@ -8,6 +8,7 @@
 
 #include <array>
 #include <optional>
+#include <vector>
 
 namespace weft::render {
 
@@ -45,6 +46,7 @@ class Framing {
 
  private:
   Axes axes_;
+  std::vector<bool> loose_;  ///< by vertex of a surface: it is not drawn
   double half_height_, half_width_;
   Box box_;
   std::optional<Vector3d> eye_;  ///< of the scene

@@ -50,9 +50,22 @@ std::vector<WeaveVertex> weave_vertices(const io::Scene& scene, const io::Surfac
   return out;
 }
 
+std::vector<bool> loose_vertices(const io::Scene& scene, const io::Surface& surface) {
+  std::vector<bool> loose(surface.positions.size(), false);
+  for (size_t i = 0; i < surface.parts.size(); ++i) {
+    if (!std::holds_alternative<io::MeshShape>(scene.cloths[i].shape)) continue;
+    const auto first = loose.begin() + std::ptrdiff_t(surface.parts[i].first_vertex);
+    std::fill_n(first, surface.parts[i].vertex_count, true);
+  }
+  for (const auto& triangle : surface.triangles) {
+    for (const uint32_t v : triangle) loose[v] = false;
+  }
+  return loose;
+}
+
 std::vector<std::array<uint32_t, 2>> bars(const io::Scene& scene, const io::Surface& surface) {
   std::vector<std::array<uint32_t, 2>> out = surface.edges;
-  std::vector<bool> shown(surface.positions.size(), false);
+  std::vector<bool> shown = loose_vertices(scene, surface);
   for (size_t i = 0; i < surface.parts.size(); ++i) {
     const auto* grid = std::get_if<io::GridShape>(&scene.cloths[i].shape);
     if (!grid || !is_row(*grid)) continue;
@@ -64,13 +77,8 @@ std::vector<std::array<uint32_t, 2>> bars(const io::Scene& scene, const io::Surf
   for (const auto& triangle : surface.triangles) {
     for (const uint32_t v : triangle) shown[v] = true;
   }
-  for (size_t i = 0; i < surface.parts.size(); ++i) {
-    if (std::holds_alternative<io::MeshShape>(scene.cloths[i].shape)) continue;
-    const auto first = uint32_t(surface.parts[i].first_vertex);
-    const auto count = uint32_t(surface.parts[i].vertex_count);
-    for (uint32_t v = first; v < first + count; ++v) {
-      if (!shown[v]) out.push_back({v, v});
-    }
+  for (uint32_t v = 0; v < shown.size(); ++v) {
+    if (!shown[v]) out.push_back({v, v});
   }
   return out;
 }

@@ -17,6 +17,9 @@ namespace weft::render {
 using WeaveVertex = std::array<float, 6>;
 std::vector<WeaveVertex> weave_vertices(const io::Scene&, const io::Surface& start);
 
+/// By vertex: whether it is one of a mesh without a triangle, which is not drawn.
+std::vector<bool> loose_vertices(const io::Scene&, const io::Surface&);
+
 /// What is drawn as round bars: springs of networks and of grids of one row or column; a vertex
 /// that nothing else shows is a bar from itself to itself, but in a mesh.
 std::vector<std::array<uint32_t, 2>> bars(const io::Scene&, const io::Surface&);

@@ -1,5 +1,6 @@
 #include "render/framing.h"
 #include "render/stage.h"
+#include "render/weave.h"
 
 #include <gtest/gtest.h>
 
@@ -51,6 +52,21 @@ TEST(Framing, HasEverythingInThePictureAndNoRoomToSpare) {
       EXPECT_GT((most - least).maxCoeff(), 2 * 0.85);
     }
   }
+}
+
+// Vertices of a mesh that no triangle has are not drawn, wherever they fall.
+TEST(Framing, LeavesOutLooseVertices) {
+  io::Scene scene = plain_scene();
+  scene.cloths[0].shape = io::MeshShape{};
+  io::Surface surface;
+  surface.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, -100, 0}};
+  surface.triangles = {{0, 1, 2}};
+  surface.parts = {{"m", 0, 4, 0, 1, 0, 0}};
+  EXPECT_EQ(Framing(scene, surface).box().low.y(), 0);
+  EXPECT_TRUE(bars(scene, surface).empty());
+  scene.cloths[0].shape = io::NetworkShape{};
+  EXPECT_EQ(Framing(scene, surface).box().low.y(), -100);
+  EXPECT_EQ(bars(scene, surface).size(), 1u);
 }
 
 TEST(Framing, SeesAPointAtRest) {

@@ -4,7 +4,7 @@
 
 namespace weft::render {
 
-Triangles with_creases(const std::vector<Vector3d>& places, const std::vector<uint32_t>& indices) {
+Creased with_creases(const std::vector<Vector3d>& places, const std::vector<uint32_t>& indices) {
   constexpr double crease = 0.766;
   std::vector<Vector3d> areas;
   std::vector<uint32_t> start(places.size() + 1, 0);  // the corners of vertex v: start[v], ...
@@ -17,7 +17,8 @@ Triangles with_creases(const std::vector<Vector3d>& places, const std::vector<ui
   std::vector<uint32_t> corners(3 * areas.size()), next(start.begin(), start.end() - 1);
   for (uint32_t c = 0; c < corners.size(); ++c) corners[next[indices[c]]++] = c;
 
-  Triangles drawn;
+  Creased creased;
+  Triangles& drawn = creased.triangles;
   drawn.indices.resize(corners.size());
   for (size_t v = 0; v < places.size(); ++v) {
     const size_t first = drawn.vertices.size();
@@ -32,11 +33,14 @@ Triangles with_creases(const std::vector<Vector3d>& places, const std::vector<ui
       const std::array<float, 6> vertex{p.x(), p.y(), p.z(), n.x(), n.y(), n.z()};
       size_t at = first;
       while (at < drawn.vertices.size() && drawn.vertices[at] != vertex) ++at;
-      if (at == drawn.vertices.size()) drawn.vertices.push_back(vertex);
+      if (at == drawn.vertices.size()) {
+        drawn.vertices.push_back(vertex);
+        creased.origins.push_back(uint32_t(v));
+      }
       drawn.indices[corners[i]] = uint32_t(at);
     }
   }
-  return drawn;
+  return creased;
 }
 
 }  // namespace weft::render

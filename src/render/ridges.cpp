@@ -61,6 +61,7 @@ Ridges::Ridges(const io::Mesh& mesh, double scale, bool closed) {
   }
   find_outside(closed);
   find_edges();
+  find_outward();
   near_triangles_ = BoxGrid(box_, boxes);
   boxes.clear();
   for (const Edge& edge : edges_) {
@@ -68,6 +69,9 @@ Ridges::Ridges(const io::Mesh& mesh, double scale, bool closed) {
     boxes.back().add(edge.b);
   }
   near_edges_ = BoxGrid(box_, boxes);
+  boxes.clear();
+  for (const Vector3d& p : points_) boxes.push_back({p, p});
+  near_points_ = BoxGrid(box_, boxes);
 }
 
 // By the volume in it, of which a sphere has the most for its area: 0.094 area^1.5.
@@ -143,6 +147,23 @@ void Ridges::add(const std::array<Vector3d, 3>& t, Depths& depths) const {
   near_edges_.each_near(around.grown(1.5 * most), [&](uint32_t number) {
     depths[number] = std::max(depths[number], depth_below(edges_[number], t, most));
   });
+  // Straight inwards it may be farther than to the surface on the other side of an edge.
+  const double farthest = 1.5 * most;
+  near_points_.each_near(around.grown(farthest), [&](uint32_t v) {
+    double& depth = depths[edges_.size() + v];
+    depth = std::max(depth, depth_of(v, t, farthest));
+  });
+}
+
+/// A vertex is above a triangle where the way inwards from it meets it, and no side of the mesh
+/// before.
+double Ridges::depth_of(uint32_t v, const std::array<Vector3d, 3>& t, double most) const {
+  if (welded_[v] != v || outside_ == 0) return 0;
+  const Outward& out = outward_[v];
+  const Vector3d in = -most / out.least * out.normal;
+  const double at = crossing(t.data(), points_[v], in);
+  if (!(at <= 1) || first_crossing(points_[v], points_[v] + at * in) < never) return 0;
+  return at * most;
 }
 
 /// By an edge, or by a triangle at one of its sides.
@@ -191,29 +212,30 @@ double Ridges::depth_below(const Edge& edge, const std::array<Vector3d, 3>& t, d
   return found;
 }
 
-/// By welded vertex, weighted by angle.
-std::vector<Ridges::Outward> Ridges::outwards() const {
-  std::vector<Outward> all(points_.size());
+/// Weighted by angle.
+void Ridges::find_outward() {
+  outward_.resize(points_.size());
   const auto each_corner = [&](auto use) {
     for (uint32_t c = 0; c < corners_.size(); ++c) {
       const uint32_t next = next_corner(c);
       const Vector3d a = corners_[next] - corners_[c],
                      b = corners_[next_corner(next)] - corners_[c], area = a.cross(b);
-      if (area.norm() > 0) {
-        use(all[corner_[c]], Vector3d(area.normalized()), std::atan2(area.norm(), a.dot(b)));
-      }
+      if (!(area.norm() > 0)) continue;
+      const Vector3d normal = (outside_ < 0 ? -1 : 1) * area.normalized();
+      use(outward_[corner_[c]], normal, std::atan2(area.norm(), a.dot(b)));
     }
   };
   each_corner([](Outward& v, const Vector3d& n, double angle) { v.normal += angle * n; });
-  for (Outward& v : all) v.normal.normalize();
+  for (Outward& v : outward_) v.normal.normalize();
   each_corner(
       [](Outward& v, const Vector3d& n, double) { v.least = std::min(v.least, n.dot(v.normal)); });
-  return all;
+  constexpr double sharpest = 0.4;
+  for (Outward& v : outward_) v.least = std::max(v.least, sharpest);
 }
 
 Ridges::Inset Ridges::inset(const Depths& depths) const {
   Inset inset;
-  std::vector<double> depth(points_.size(), 0);
+  std::vector<double> depth(depths.begin() + std::ptrdiff_t(edges_.size()), depths.end());
   for (size_t e = 0; e < edges_.size(); ++e) {
     for (const uint32_t v : {edges_[e].from, edges_[e].to})
       depth[v] = std::max(depth[v], depths[e]);
@@ -230,15 +252,13 @@ Ridges::Inset Ridges::inset(const Depths& depths) const {
     inset.enough = false;
     return inset;
   }
-  constexpr double sharpest = 0.4, most_of_the_way = 0.4;
-  const std::vector<Outward> outward = outwards();
+  constexpr double most_of_the_way = 0.4;
   std::vector<Vector3d> by(points_.size(), Vector3d::Zero());
   for (size_t v = 0; v < points_.size(); ++v) {
     if (wanted[v] == 0) continue;
-    const Vector3d out = outside_ * outward[v].normal;
-    const Vector3d in = -wanted[v] / std::max(outward[v].least, sharpest) * out;
-    const bool thick = first_crossing(points_[v], points_[v] + in / most_of_the_way) == never;
-    if (thick) by[v] = -in;
+    const Vector3d out = wanted[v] / outward_[v].least * outward_[v].normal;
+    const bool thick = first_crossing(points_[v], points_[v] - out / most_of_the_way) == never;
+    if (thick) by[v] = out;
     inset.enough = inset.enough && (thick || depth[v] == 0);
   }
   for (const uint32_t v : welded_) inset.by.push_back(by[v]);

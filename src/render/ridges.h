@@ -19,9 +19,10 @@ class Ridges {
   /// moved, but scaled.
   Ridges(const io::Mesh&, double scale, bool closed);
 
-  /// m, by edge of the mesh: with its faces moved in by this it is below all triangles.
+  /// m, by edge of the mesh and then by vertex: with the faces around it moved in by this it is
+  /// below all triangles.
   using Depths = std::vector<double>;
-  Depths no_depths() const { return Depths(edges_.size(), 0); }
+  Depths no_depths() const { return Depths(edges_.size() + points_.size(), 0); }
   /// Looks at one more triangle of a cloth.
   void add(const std::array<Vector3d, 3>& triangle, Depths& depths) const;
 
@@ -44,13 +45,14 @@ class Ridges {
     double flat;        ///< length of the mean before: 1 when they lie in one plane
   };
   struct Outward {
-    Vector3d normal{0, 0, 0};  ///< unit
-    double least = 1;          ///< cosine to the normal of a triangle
+    Vector3d normal{0, 0, 0};  ///< unit, to the outside
+    double least = 1;          ///< cosine to the normal of a triangle, or the least that is used
   };
 
   void find_outside(bool closed);
   void find_edges();
-  std::vector<Outward> outwards() const;
+  void find_outward();
+  double depth_of(uint32_t vertex, const std::array<Vector3d, 3>& triangle, double most) const;
   double depth_below(const Edge&, const std::array<Vector3d, 3>& triangle, double most) const;
   bool is_crossed(const std::array<Vector3d, 3>& triangle, const Box& around) const;
   /// m from `from` to the first triangle of the mesh towards `to`; 1e300 when there is none. Those
@@ -61,9 +63,10 @@ class Ridges {
   std::vector<uint32_t> corner_;   ///< welded vertices, three per triangle
   std::vector<Vector3d> points_;   ///< by vertex of the file, scaled
   std::vector<Vector3d> corners_;  ///< three per triangle
+  std::vector<Outward> outward_;   ///< by welded vertex
   std::vector<Edge> edges_;
   Box box_;
-  BoxGrid near_edges_, near_triangles_;
+  BoxGrid near_edges_, near_triangles_, near_points_;
   double outside_ = 0;  ///< 1 where the normals of its triangles point, -1 against them, 0 on both
 };
 

@@ -1,8 +1,10 @@
 #include "render/yielding_mesh.h"
 
-#include "render/creases.h"
+#include "render/subdivide.h"
 
 #include <Eigen/Geometry>
+
+#include <algorithm>
 
 namespace weft::render {
 namespace {
@@ -13,12 +15,19 @@ std::vector<Vector3d> places_of(const io::Mesh& mesh) {
   return places;
 }
 
+double longest_edge(const io::Mesh& mesh) {
+  Box box;
+  for (const double3& p : mesh.positions) box.add(vector(p));
+  return box.empty() ? 1 : box.radius() / 12;
+}
+
 }  // namespace
 
 YieldingMesh::Shape::Shape(const io::MeshColliderScene& d)
-    : mesh(d.mesh),
-      ridges(*mesh, d.scale, d.closed),
-      model(with_creases(places_of(*mesh), mesh->triangles)) {}
+    : mesh(subdivided(*d.mesh, longest_edge(*d.mesh))),
+      ridges(mesh, d.scale, d.closed),
+      drawn(with_creases(places_of(mesh), mesh.triangles)),
+      model(drawn.triangles) {}
 
 YieldingMesh::YieldingMesh(const io::MeshColliderScene& d, Shapes& shapes)
     : turn_(rotation(d.pose.axis, d.pose.degrees)),
@@ -31,11 +40,11 @@ YieldingMesh::YieldingMesh(const io::MeshColliderScene& d, Shapes& shapes)
 }
 
 void YieldingMesh::update(const io::Surface& surface, double time) {
-  const Vector3d place = place_ + velocity_ * time;
+  const Vector3d here = place_ + velocity_ * time;
   std::vector<Vector3d> seen;
   seen.reserve(surface.positions.size());
   for (const double3& p : surface.positions) {
-    seen.push_back(turn_.transpose() * (vector(p) - place));
+    seen.push_back(turn_.transpose() * (vector(p) - here));
   }
   Ridges::Depths depths = shape_->ridges.no_depths();
   for (const auto& t : surface.triangles) {
@@ -45,9 +54,14 @@ void YieldingMesh::update(const io::Surface& surface, double time) {
   shows_ = shows_ || !inset.enough;
   moved_.reset();
   if (inset.by.empty()) return;
-  std::vector<Vector3d> places = places_of(*shape_->mesh);
-  for (size_t v = 0; v < places.size(); ++v) places[v] -= inset.by[v] / scale_;
-  moved_ = std::make_unique<Model>(with_creases(places, shape_->mesh->triangles));
+  // The normals stay: what gives way is hardly seen, and shall not catch the eye.
+  Triangles drawn = shape_->drawn.triangles;
+  for (size_t i = 0; i < drawn.vertices.size(); ++i) {
+    const uint32_t v = shape_->drawn.origins[i];
+    const Vector3f p = (vector(shape_->mesh.positions[v]) - inset.by[v] / scale_).cast<float>();
+    std::copy_n(p.data(), 3, drawn.vertices[i].begin());
+  }
+  moved_ = std::make_unique<Model>(drawn);
 }
 
 void YieldingMesh::draw() const { (moved_ ? *moved_ : shape_->model).draw(); }

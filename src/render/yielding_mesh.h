@@ -1,6 +1,7 @@
 // A collider mesh that gives way to the cloth on it, picture by picture.
 #pragma once
 
+#include "render/creases.h"
 #include "render/model.h"
 #include "render/ridges.h"
 
@@ -17,10 +18,11 @@ class YieldingMesh {
  public:
   /// What colliders of one mesh, scale and kind share.
   struct Shape {
-    Shape(const io::MeshColliderScene&);
-    std::shared_ptr<const io::Mesh> mesh;
+    explicit Shape(const io::MeshColliderScene&);
+    io::Mesh mesh;  ///< of the file, in pieces
     Ridges ridges;
-    Model model;  ///< as the file has it
+    Creased drawn;  ///< where the file has it
+    Model model;
   };
   using Shapes = std::map<std::tuple<const io::Mesh*, double, bool>, std::shared_ptr<const Shape>>;
 

@@ -1,12 +1,15 @@
 #include "render/creases.h"
 #include "render/solids.h"
+#include "render/subdivide.h"
 #include "render/weave.h"
 
+#include <Eigen/Geometry>
 #include <Eigen/LU>
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 
 namespace weft::render::test {
 namespace {
@@ -95,15 +98,45 @@ TEST(Solids, SpheresMuchLargerThanTheSceneAreFineWhereItIs) {
 // A cube has edges, a ball of the same kind of triangles has none.
 TEST(Creases, AreWhereTrianglesMeetAtAnAngle) {
   const std::vector<Vector3d> cube{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}};
-  const Triangles sharp = with_creases(cube, {0, 2, 1, 0, 3, 2, 0, 1, 4});
+  const Triangles sharp = with_creases(cube, {0, 2, 1, 0, 3, 2, 0, 1, 4}).triangles;
   ASSERT_EQ(sharp.indices.size(), 9u);
   EXPECT_EQ(sharp.vertices.size(), 4u + 3u) << "the edge 0-1 has normals of its own on both sides";
   EXPECT_EQ(sharp.vertices[sharp.indices[0]][5], -1);
   EXPECT_EQ(sharp.vertices[sharp.indices[6]][4], -1);
   const std::vector<Vector3d> fold{{0, 0, 0}, {1, 0, 0}, {0, 1, 0.1}, {0, -1, 0.1}};
-  const Triangles smooth = with_creases(fold, {0, 1, 2, 1, 0, 3});
+  const Triangles smooth = with_creases(fold, {0, 1, 2, 1, 0, 3}).triangles;
   EXPECT_EQ(smooth.vertices.size(), 4u);
   EXPECT_NEAR(double(smooth.vertices[smooth.indices[0]][5]), 1, 1e-6);
+}
+
+// A fold of two triangles, one of them large: the edge that they share is cut once.
+TEST(Subdivided, IsTheSameSurfaceInPieces) {
+  io::Mesh mesh;
+  mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0.2, 0, 0.3}};
+  mesh.triangles = {0, 1, 2, 1, 0, 3};
+  const io::Mesh fine = subdivided(mesh, 0.3);
+  std::map<std::pair<uint32_t, uint32_t>, int> sides;
+  double area = 0;
+  for (size_t t = 0; t < fine.triangles.size(); t += 3) {
+    const uint32_t* v = &fine.triangles[t];
+    const Vector3d a = vector(fine.positions[v[0]]), b = vector(fine.positions[v[1]]),
+                   c = vector(fine.positions[v[2]]);
+    area += 0.5 * (b - a).cross(c - a).norm();
+    for (size_t k = 0; k < 3; ++k) {
+      const uint32_t i = v[k], j = v[(k + 1) % 3];
+      EXPECT_LE((vector(fine.positions[i]) - vector(fine.positions[j])).norm(), 0.3);
+      sides[{i, j}] += 1;
+    }
+  }
+  EXPECT_NEAR(area, 0.5 + 0.15, 1e-12);
+  size_t inner = 0;
+  for (const auto& [side, count] : sides) {
+    EXPECT_EQ(count, 1) << "both triangles of an edge run along it in opposite directions";
+    const bool on_fold = fine.positions[side.first].y == 0 && fine.positions[side.first].z == 0 &&
+                         fine.positions[side.second].y == 0 && fine.positions[side.second].z == 0;
+    inner += on_fold && sides.count({side.second, side.first}) == 1;
+  }
+  EXPECT_EQ(inner, 8u) << "four pieces of the shared edge, from both sides";
 }
 
 TEST(Solids, TheGroundIsNotDrawnTwice) {

@@ -189,10 +189,10 @@ void print_summary(const io::Scene& scene, const io::Report& report) {
 
 int run_command(const RunOptions& options) {
   const RunRequest request(options);
+  catch_stop_signals();
   const io::Scene scene = read_scene(options, request);
   check_paths(options, request, scene);
   io::Simulation made = build_runnable(scene, request);
-  catch_stop_signals();
   std::optional<FrameOutput> frames;
   if (!options.out.empty()) {
     frames.emplace(request.frames, scene, made, request.context);

@@ -19,8 +19,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 constexpr auto look = std::chrono::milliseconds(100);
-constexpr const char* usual = "writing files";
-constexpr auto patience = std::chrono::seconds(2);
+constexpr const char* usual = "the run";
+constexpr auto patience = std::chrono::milliseconds(1700);
 
 std::atomic<int> came{0};
 static_assert(std::atomic<int>::is_always_lock_free, "a signal handler writes it");
@@ -49,7 +49,7 @@ Work& work() {
   }
   io::TemporaryFile::remove_all();
   print_message("stopped in the middle of " + now.what + " (signal " + std::to_string(came) +
-                ", and it takes long) run it again with less to do at once");
+                ", and what it did took long) run it again, with less to do at once");
   std::_Exit(stopped);
 }
 

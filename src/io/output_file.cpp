@@ -117,13 +117,25 @@ std::string follow_links(const std::string& path) {
   return at.string();
 }
 
-void probe_output(const std::string& path) { const OutputFile file(path); }
+// Whoever reads from a pipe would take a trial for the end.
+void probe_output(const std::string& path) {
+  if (!is_device(path)) {
+    const OutputFile file(path);
+  } else if (::access(path.c_str(), W_OK) != 0) {
+    throw OutputError(path + ": cannot be opened (" + std::strerror(errno) + ") give another path");
+  }
+}
 
 void make_folder(const std::string& path) {
   std::error_code failure;
   fs::create_directories(path, failure);
   if (!failure && !fs::is_directory(path, failure))
     failure = std::make_error_code(std::errc::not_a_directory);
+  std::error_code ignored;
+  if (failure && fs::is_symlink(path, ignored) && !fs::exists(path, ignored)) {
+    throw OutputError(
+        path + ": is a link to nothing (a folder is needed) remove it, or give another path");
+  }
   if (failure) {
     throw OutputError(path + ": the folder cannot be made (" + failure.message() +
                       ") give another path");

@@ -4,6 +4,7 @@
 #include "io/point_cache.h"
 
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <chrono>
 
@@ -91,13 +92,23 @@ TEST_F(Failure, ASignalEndsALongFrame) {
   EXPECT_EQ(read_point_cache(folder / "f/sheet.pc2").samples, 1u) << "what there was is whole";
 }
 
+TEST_F(Failure, APipeWithAReaderGetsAll) {
+  const std::string pipe = folder / "pipe";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  const Outcome outcome = run_weft("run --final " + pipe + " " + scene(falling_scene()),
+                                   "cat " + pipe + " >" + (folder / "got") + " & exec ");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  for (int i = 0; i < 100 && read_text(folder / "got").empty(); ++i) ::usleep(20000);
+  EXPECT_EQ(read_text(folder / "got").rfind("cloth,vertex,", 0), 0u);
+}
+
 // Nobody reads from the pipe.
 TEST_F(Failure, ASignalEndsAWriteThatWaits) {
   const std::string pipe = folder / "pipe";
   ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
   expect_failure(run_weft("run --final " + pipe + " " + scene(falling_scene()),
                           "exec timeout --preserve-status -s HUP 0.5 "),
-                 3, "stopped in the middle of writing files (signal 1");
+                 3, "stopped in the middle of the run (signal 1");
 }
 
 /// What standard streams the program gets, as a shell writes it; it says something on the second.

@@ -144,11 +144,11 @@ void Ridges::add(const std::array<Vector3d, 3>& t, Depths& depths) const {
       std::max({(t[1] - t[0]).norm(), (t[2] - t[1]).norm(), (t[0] - t[2]).norm()});
   // No point of a triangle is farther from the nearest corner, which is outside.
   const double most = longest / std::sqrt(3.0);
-  near_edges_.each_near(around.grown(1.5 * most), [&](uint32_t number) {
+  // Along a normal it may be somewhat farther: past the edge is another side.
+  const double farthest = 1.5 * most;
+  near_edges_.each_near(around.grown(farthest), [&](uint32_t number) {
     depths[number] = std::max(depths[number], depth_below(edges_[number], t, most));
   });
-  // Straight inwards it may be farther than to the surface on the other side of an edge.
-  const double farthest = 1.5 * most;
   near_points_.each_near(around.grown(farthest), [&](uint32_t v) {
     double& depth = depths[edges_.size() + v];
     depth = std::max(depth, depth_of(v, t, farthest));
@@ -157,13 +157,13 @@ void Ridges::add(const std::array<Vector3d, 3>& t, Depths& depths) const {
 
 /// A vertex is above a triangle where the way inwards from it meets it, and no side of the mesh
 /// before.
-double Ridges::depth_of(uint32_t v, const std::array<Vector3d, 3>& t, double most) const {
+double Ridges::depth_of(uint32_t v, const std::array<Vector3d, 3>& t, double farthest) const {
   if (welded_[v] != v || outside_ == 0) return 0;
   const Outward& out = outward_[v];
-  const Vector3d in = -most / out.least * out.normal;
+  const Vector3d in = -farthest / out.least * out.normal;
   const double at = crossing(t.data(), points_[v], in);
   if (!(at <= 1) || first_crossing(points_[v], points_[v] + at * in) < never) return 0;
-  return at * most;
+  return at * farthest;
 }
 
 /// By an edge, or by a triangle at one of its sides.

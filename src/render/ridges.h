@@ -52,7 +52,7 @@ class Ridges {
   void find_outside(bool closed);
   void find_edges();
   void find_outward();
-  double depth_of(uint32_t vertex, const std::array<Vector3d, 3>& triangle, double most) const;
+  double depth_of(uint32_t vertex, const std::array<Vector3d, 3>& triangle, double farthest) const;
   double depth_below(const Edge&, const std::array<Vector3d, 3>& triangle, double most) const;
   bool is_crossed(const std::array<Vector3d, 3>& triangle, const Box& around) const;
   /// m from `from` to the first triangle of the mesh towards `to`; 1e300 when there is none. Those

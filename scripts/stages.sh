@@ -3,21 +3,25 @@
 
 stage_lines=()
 stage_failed=0
-summaries=$(mktemp)
-trap 'rm -f "$summaries"' EXIT
+stage_logs=$(mktemp -d)
+summaries=$stage_logs/summaries
+: >"$summaries"
+trap 'rm -rf "$stage_logs"' EXIT
 
 stage() {  # NAME COMMAND...
-  local name=$1 began=$SECONDS status seconds outcome=passed
+  local name=$1 began=$SECONDS status seconds outcome=passed log=$stage_logs/$1.log
   printf '\n==== %s ====\n' "$name"
   set +e
-  (set -e; "${@:2}")
-  status=$?
+  (set -e; "${@:2}") 2>&1 | tee "$log"
+  status=${PIPESTATUS[0]}
   set -e
   seconds=$((SECONDS - began))
   if [[ $status -ne 0 ]]; then
     outcome="FAILED (exit code $status)"
     stage_failed=1
+    keep_last_lines "$name" "$log"
   fi
+  rm -f "$log"
   printf -- '---- %s: %s, %d s\n' "$name" "$outcome" "$seconds"
   stage_lines+=("$(printf '%-10s %5d s  %s' "$name" "$seconds" "$outcome")")
 }
@@ -35,6 +39,13 @@ keep_summary() {  # NAME CTEST_LOG: for the end
     printf '%s:\n' "$1"
     grep -E 'tests passed|tests failed|Total Test time|^\s+[0-9]+ - |No tests' "$2" | sed 's/^/  /'
   } >>"$summaries" || true
+}
+
+keep_last_lines() {  # NAME LOG: a log's end is what people see first, and often all they see
+  {
+    printf '%s, its last lines:\n' "$1"
+    tail -n 40 "$2" | sed 's/^/  /'
+  } >>"$summaries"
 }
 
 finish() {

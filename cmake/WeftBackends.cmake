@@ -16,15 +16,18 @@ function(weft_add_host_kernels target ns march)
   target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR}/src ${PROJECT_SOURCE_DIR}/include)
   target_compile_definitions(${target} PRIVATE WEFT_BACKEND_NS=${ns}
     WEFT_BACKEND_NAME="${ns}" WEFT_BACKEND_FACTORY=backend_${ns} ${ARGN})
-  # -O3 and not -O2: g++ 12 vectorises the block loops only there.
-  target_compile_options(${target} PRIVATE ${WEFT_KERNEL_FLAGS} $<$<CONFIG:Release,RelWithDebInfo>:-O3>)
+  target_compile_options(${target} PRIVATE ${WEFT_KERNEL_FLAGS})
+  if(NOT WEFT_SANITIZE)
+    # -O3 and not -O2: g++ 12 vectorises the block loops only there.
+    target_compile_options(${target} PRIVATE $<$<CONFIG:Release,RelWithDebInfo>:-O3>)
+  endif()
   if(march)
     target_compile_options(${target} PRIVATE -march=${march})
   endif()
   set_target_properties(${target} PROPERTIES CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
   target_link_libraries(${target} PRIVATE OpenMP::OpenMP_CXX)
   weft_warnings(${target})
-  weft_sanitize(${target})
+  weft_sanitize(${target} KERNELS)
 endfunction()
 
 function(weft_add_backends target)

@@ -11,6 +11,7 @@
 #include "render/session.h"
 #include "render/sight.h"
 #include "render/video.h"
+#include "render/yielding_mesh.h"
 
 #include <optional>
 
@@ -94,6 +95,8 @@ class Pictures final : public FrameSink {
 }  // namespace
 
 void require_pictures() { const render::Session session; }
+
+uint64_t bytes_for_pictures(const io::Scene& scene) { return render::bytes_of_meshes(scene); }
 
 std::unique_ptr<FrameSink> make_pictures(const PictureSettings& settings, const io::Scene& scene,
                                          const io::Surface& start, const ContextDesc& desc) {

@@ -20,6 +20,9 @@ struct PictureSettings {
 /// UnavailableError where no picture can be made.
 void require_pictures();
 
+/// What pictures take beyond the second world.
+uint64_t bytes_for_pictures(const io::Scene&);
+
 /// `start`: with normals. The camera has to know where the cloths will go, so that the scene is run
 /// once before, in a world of its own.
 std::unique_ptr<FrameSink> make_pictures(const PictureSettings&, const io::Scene&,

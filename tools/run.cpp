@@ -6,6 +6,7 @@
 #include "frame_output.h"
 #include "output.h"
 #include "output_paths.h"
+#include "pictures.h"
 #include "progress.h"
 #include "step_bound.h"
 #include "stop_signal.h"
@@ -94,7 +95,8 @@ io::Simulation build_runnable(const io::Scene& scene, const RunRequest& request)
   made.require(plan.status(), scene.file);
   const bool pictures = !request.frames.folder.empty() && (request.frames.has(FrameFormat::png) ||
                                                            request.frames.has(FrameFormat::mp4));
-  require_memory(scene, io::bytes_to_run(scene, plan->bytes_total, pictures));
+  require_memory(scene, io::bytes_to_run(scene, plan->bytes_total, pictures) +
+                            (pictures ? bytes_for_pictures(scene) : 0));
   if (!scene.solver.unsafe) {
     if (const auto problem = beyond_bound(scene, made, made.world.stability())) {
       throw io::InputError(scene.file + ": $.time.substeps: " + *problem);

@@ -219,7 +219,8 @@ struct Stats {
 
 /// Energies (J) and momentum (kg m/s) of the free particles, velocities as in read_velocities.
 /// Elastic energy is of every spring; potential is -m g.x. `stretch` is the largest (l - l0)/l0 of
-/// a spring of length l and rest length l0 > 0, bend springs left out, and 0 where none is longer.
+/// a spring of length l and rest length l0, above a billionth of the cloth's longest, bend springs
+/// left out, and 0 where none is longer.
 struct Mechanics {
   double kinetic, elastic, potential;
   double3 momentum;

@@ -73,6 +73,7 @@ void Framing::add(const Vector3d& center, double radius) {
   for (size_t i = 0; i < sides_.size(); ++i) {
     reach_[i] = std::max(reach_[i], sides_[i].dot(center) + radius * sides_[i].norm());
   }
+  front_ = std::max(front_, axes_.back.dot(center) + radius);
   if (!eye_) return;
   const Vector3d from = center - *eye_;
   const double ahead = -axes_.back.dot(from);
@@ -92,7 +93,8 @@ Vector3d Framing::eye() const {
   const Vector3d wide = 0.5 * (sides_[0] - sides_[1]), high = 0.5 * (sides_[2] - sides_[3]);
   const double across = 0.5 * (reach_[0] - reach_[1]) / wide.norm();
   const double along = 0.5 * (reach_[2] - reach_[3]) / high.norm();
-  const double back = std::max(reach_[0] + reach_[1], reach_[2] + reach_[3]) / 2;
+  const double back = std::max(
+      {(reach_[0] + reach_[1]) / 2, (reach_[2] + reach_[3]) / 2, front_ + 0.35 * box_.radius()});
   return axes_.right * across + axes_.up * along + axes_.back * back;
 }
 

@@ -39,7 +39,8 @@ class Framing {
   double nearest() const { return nearest_; }
   /// What a box holds may come that near to the eye.
   void expect(const Box&);
-  /// The nearest place, looking along the axes, from which all is in the picture with a margin.
+  /// The nearest place, looking along the axes, from which all is in the picture with a margin, and
+  /// not so near that what is in front looks much larger than what is behind.
   Vector3d eye() const;
   double half_height() const { return half_height_; }  ///< tangent of half the angle of view
   double half_width() const { return half_width_; }
@@ -53,6 +54,7 @@ class Framing {
   double nearest_ = 1e300;
   std::array<Vector3d, 4> sides_;  ///< normals of the four sides of the pyramid of view
   std::array<double, 4> reach_;    ///< how far what was added lies along each
+  double front_ = -1e300;          ///< and along `back`
 };
 
 /// With all colliders near what was added, at any time of the run.

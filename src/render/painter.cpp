@@ -39,15 +39,35 @@ struct Painter::Parts {
     program.set("depth", 0);
   }
 
-  void draw_casters(const Eigen::Matrix4f& camera, const Program& cloth, const Program& solid,
-                    const Program& capsule) const {
-    for (const Program* program : {&cloth, &solid, &capsule}) {
+  Eigen::Vector3f ground_at(double time) const {
+    return stage.ground + float(time) * stage.ground_velocity;
+  }
+  bool shows_ground(double time) const {
+    return (stage.eye - ground_at(time)).dot(stage.ground_normal) > 0;
+  }
+
+  void draw_shadows(double time) const {
+    shadows.begin();
+    for (const Program* program : {&cloth_depth, &solid_depth, &capsule_depth}) {
       program->use();
-      program->set("camera", camera);
+      program->set("camera", stage.shadow);
+      program->set("ground", ground_at(time));
+      program->set("ground_normal", stage.ground_normal);
     }
-    weavings.draw_cloths(cloth);
+    if (shows_ground(time)) glEnable(GL_CLIP_DISTANCE0);
+    draw_colliders(solid_depth, capsule_depth);
+    draw_cloths(cloth_depth, capsule_depth);
+    glDisable(GL_CLIP_DISTANCE0);
+    shadows.soften(blur, nothing);
+  }
+
+  void draw_colliders(const Program& solid, const Program& capsule) const {
     solids.draw_solids(solid);
     solids.draw_capsules(capsule);
+  }
+
+  void draw_cloths(const Program& cloth, const Program& capsule) const {
+    weavings.draw_cloths(cloth);
     weavings.draw_bars(capsule);
   }
 
@@ -62,10 +82,9 @@ struct Painter::Parts {
 
   // The ground hides nothing from below.
   void draw_ground(double time) const {
-    const Eigen::Vector3f now = stage.ground + float(time) * stage.ground_velocity;
-    if (!((stage.eye - now).dot(stage.ground_normal) > 0)) return;
+    if (!shows_ground(time)) return;
     Eigen::Matrix4f place = ground_model;
-    place.block<3, 1>(0, 3) = now;
+    place.block<3, 1>(0, 3) = ground_at(time);
     light(ground);
     ground.set("model", place);
     ground.set("normal", stage.ground_normal);
@@ -82,17 +101,20 @@ struct Painter::Parts {
   ShadowMap shadows;
   SolidModels solids;
   Weavings weavings;
+  Witness cloth_in_view;
   Eigen::Vector3f up;
   Eigen::Matrix4f ground_model;
   VertexArray nothing;
   Program cloth{{shadow_functions, cloth_vertices},
                 {shadow_functions, light_functions, cloth_fragments}};
-  Program solid{{solid_vertices}, {shadow_functions, light_functions, solid_fragments}};
-  Program capsule{{capsule_vertices}, {shadow_functions, light_functions, solid_fragments}};
+  Program solid{{ground_functions, solid_vertices},
+                {shadow_functions, light_functions, solid_fragments}};
+  Program capsule{{ground_functions, capsule_vertices},
+                  {shadow_functions, light_functions, solid_fragments}};
   Program ground{{ground_vertices}, {shadow_functions, light_functions, ground_fragments}};
-  Program cloth_depth{{caster_vertices}, {no_fragments}};
-  Program solid_depth{{solid_vertices}, {no_fragments}};
-  Program capsule_depth{{capsule_vertices}, {no_fragments}};
+  Program cloth_depth{{ground_functions, caster_vertices}, {no_fragments}};
+  Program solid_depth{{ground_functions, solid_vertices}, {no_fragments}};
+  Program capsule_depth{{ground_functions, capsule_vertices}, {no_fragments}};
   Program sky{{screen_vertices}, {sky_fragments}};
   Program blur{{screen_vertices}, {blur_fragments}};
 };
@@ -103,24 +125,32 @@ Painter::Painter(const io::Scene& scene, const io::Surface& start, const Framing
 
 Painter::~Painter() = default;
 
-std::vector<std::string> Painter::problems() const { return parts_->solids.problems(); }
+std::vector<std::string> Painter::problems() const {
+  std::vector<std::string> lines = parts_->solids.problems();
+  if (parts_->cloth_in_view.never_passed()) {
+    lines.push_back(
+        "$.camera: no cloth is in any picture (all are out of its view, or behind colliders) move "
+        "\"eye\" or \"target\"");
+  }
+  return lines;
+}
 
 Image Painter::draw(const io::Surface& surface, double time) {
   Parts& p = *parts_;
   p.weavings.update(surface, p.stage.origin);
   p.solids.update(surface, time, p.stage.origin);
 
-  p.shadows.begin();
-  p.draw_casters(p.stage.shadow, p.cloth_depth, p.solid_depth, p.capsule_depth);
-  p.shadows.soften(p.blur, p.nothing);
-
+  p.draw_shadows(time);
   p.canvas.begin();
   p.shadows.bind();
   p.draw_sky();
   p.draw_ground(time);
   for (const Program* program : {&p.cloth, &p.solid, &p.capsule}) p.light(*program);
-  p.draw_casters(p.stage.camera, p.cloth, p.solid, p.capsule);
+  p.draw_colliders(p.solid, p.capsule);
   p.solids.draw_discs(p.solid, p.stage.eye);
+  p.cloth_in_view.begin();
+  p.draw_cloths(p.cloth, p.capsule);
+  p.cloth_in_view.end();
   return p.canvas.read();
 }
 

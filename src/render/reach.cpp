@@ -100,7 +100,18 @@ std::optional<Depth> depth_in(const io::ColliderScene& collider, double time,
 }
 
 Reach::Reach(const io::Scene& scene, const io::Surface& start)
-    : scene_(scene), bars_(bars(scene, start)), depths_(scene.colliders.size(), 0) {}
+    : scene_(scene), bars_(bars(scene, start)), depths_(scene.colliders.size(), 0) {
+  Box box;
+  for (const double3& p : start.positions) box.add(vector(p));
+  const double hair = 0.01 * box.radius();
+  for (const io::ColliderScene& collider : scene.colliders) {
+    const Search search(collider, 0);
+    holds_start_.push_back(
+        has_depth(collider) &&
+        std::any_of(start.positions.begin(), start.positions.end(),
+                    [&](const double3& p) { return search.at(vector(p)).value > hair; }));
+  }
+}
 
 void Reach::add(const io::Surface& surface, double time) {
   std::vector<double> own(surface.positions.size());
@@ -126,10 +137,16 @@ void Reach::add(const io::Surface& surface, double time) {
 std::vector<std::string> Reach::problems() const {
   std::vector<std::string> lines;
   for (size_t i = 0; i < depths_.size(); ++i) {
-    if (depths_[i] <= most_given(scene_.colliders[i])) continue;
-    lines.push_back("$.colliders[" + std::to_string(i) +
-                    "]: shows through cloth (it is thin for the spacing of the particles, or began "
-                    "in the middle of them) give the cloth more vertices, or another start");
+    const std::string path = "$.colliders[" + std::to_string(i) + "]: ";
+    if (holds_start_[i]) {
+      lines.push_back(path +
+                      "shows through cloth at the start (cloth starts inside of it) move one of "
+                      "them, or make it smaller");
+    } else if (depths_[i] > most_given(scene_.colliders[i])) {
+      lines.push_back(path +
+                      "shows through cloth (it is thin for the spacing of the particles, or began "
+                      "in the middle of them) give the cloth more vertices, or another start");
+    }
   }
   return lines;
 }

@@ -37,14 +37,15 @@ class Reach {
   /// m, by collider: no triangle went deeper below its own deepest corner. Too much by a fiftieth
   /// of an edge at most. For planes and meshes 0.
   const std::vector<double>& depths() const { return depths_; }
-  /// Of shapes that show through cloth although they are drawn smaller: a line each, with path,
-  /// reason and remedy.
+  /// Of shapes that show through cloth, although they are drawn smaller or because it started in
+  /// them: a line each, with path, reason and remedy.
   std::vector<std::string> problems() const;
 
  private:
   const io::Scene& scene_;
   std::vector<std::array<uint32_t, 2>> bars_;
   std::vector<double> depths_;
+  std::vector<bool> holds_start_;  ///< by collider: cloth starts inside of it, and not by a hair
 };
 
 }  // namespace weft::render

@@ -62,16 +62,16 @@ Ridges::Ridges(const io::Mesh& mesh, double scale, bool closed) {
   find_outside(closed);
   find_edges();
   find_outward();
-  near_triangles_ = BoxGrid(box_, boxes);
+  near_triangles_ = BoxTree(boxes);
   boxes.clear();
   for (const Edge& edge : edges_) {
     boxes.emplace_back().add(edge.a);
     boxes.back().add(edge.b);
   }
-  near_edges_ = BoxGrid(box_, boxes);
+  near_edges_ = BoxTree(boxes);
   boxes.clear();
   for (const Vector3d& p : points_) boxes.push_back({p, p});
-  near_points_ = BoxGrid(box_, boxes);
+  near_points_ = BoxTree(boxes);
 }
 
 // By the volume in it, of which a sphere has the most for its area: 0.094 area^1.5.

@@ -2,7 +2,7 @@
 // mesh is drawn so that they do not.
 #pragma once
 
-#include "render/box_grid.h"
+#include "render/box_tree.h"
 
 #include "io/mesh.h"
 
@@ -66,7 +66,7 @@ class Ridges {
   std::vector<Outward> outward_;   ///< by welded vertex
   std::vector<Edge> edges_;
   Box box_;
-  BoxGrid near_edges_, near_triangles_, near_points_;
+  BoxTree near_edges_, near_triangles_, near_points_;
   double outside_ = 0;  ///< 1 where the normals of its triangles point, -1 against them, 0 on both
 };
 

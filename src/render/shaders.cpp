@@ -24,7 +24,10 @@ void main() {
 const char* const caster_vertices = R"(
 layout(location = 0) in vec3 position;
 uniform mat4 camera;
-void main() { gl_Position = camera * vec4(position, 1.0); }
+void main() {
+  gl_Position = camera * vec4(position, 1.0);
+  gl_ClipDistance[0] = above_ground(position);
+}
 )";
 
 const char* const solid_vertices = R"(
@@ -36,6 +39,7 @@ void main() {
   at = (model * vec4(position, 1.0)).xyz;
   facing = mat3(turned) * normal;
   gl_Position = camera * vec4(at, 1.0);
+  gl_ClipDistance[0] = above_ground(at);
 }
 )";
 
@@ -55,6 +59,7 @@ void main() {
   facing = position.x * u + position.y * cross(w, u) + position.z * w;
   at = mix(a, b, end.x) + radius * facing;
   gl_Position = camera * vec4(at, 1.0);
+  gl_ClipDistance[0] = above_ground(at);
 }
 )";
 
@@ -75,6 +80,12 @@ void main() {
   across = vec2(gl_VertexID & 1, gl_VertexID >> 1) * 2.0;
   gl_Position = vec4(across * 2.0 - 1.0, 0.0, 1.0);
 }
+)";
+
+// What casts a shadow is cut off there: nothing below the ground darkens it.
+const char* const ground_functions = R"(
+uniform vec3 ground, ground_normal;
+float above_ground(vec3 p) { return dot(p - ground, ground_normal); }
 )";
 
 const char* const no_fragments = R"(

@@ -20,6 +20,7 @@ extern const char* const screen_vertices;   ///< a triangle that covers all, no 
 extern const char* const cloth_fragments;   ///< woven, two-sided
 extern const char* const solid_fragments;   ///< one colour
 extern const char* const ground_fragments;  ///< with a soft shadow, fading away from the middle
+extern const char* const ground_functions;  ///< for vertices of casters
 extern const char* const no_fragments;      ///< depth only
 extern const char* const sky_fragments;
 extern const char* const blur_fragments;  ///< one direction of a Gaussian filter

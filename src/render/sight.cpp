@@ -69,15 +69,11 @@ std::vector<std::string> Sight::problems(const Framing& framing) const {
 std::vector<std::string> Sight::problems_of_eye(const Framing& framing) const {
   std::vector<std::string> lines;
   const io::CameraScene& camera = scene_.camera;
-  if (!seen_) {
-    lines.push_back(
-        "$.camera: no cloth is in any picture (all are out of its view) move \"eye\" or "
-        "\"target\"");
-  } else if (pixels_ < 2) {
+  if (seen_ && pixels_ < 2) {
     lines.push_back(
         "$.camera: the cloths are less than 2 pixels large (they are far away for the "
         "angle of view) move \"eye\" nearer or lower \"field_of_view\"");
-  } else if (framing.nearest() < nearest_drawn(framing.box().radius())) {
+  } else if (seen_ && framing.nearest() < nearest_drawn(framing.box().radius())) {
     lines.push_back(
         "$.camera.eye: cloth comes so near that it is cut open (all that moves covers " +
         io::number_text(std::round(2000 * framing.box().radius()) / 1000) +

@@ -1,4 +1,4 @@
-// Whether a camera sees anything.
+// Whether a camera stands where it sees well; the painter knows whether it saw anything.
 #pragma once
 
 #include "render/framing.h"

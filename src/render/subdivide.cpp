@@ -9,6 +9,8 @@
 namespace weft::render {
 namespace {
 
+constexpr size_t enough = 12500;  ///< triangles; a round makes four of one
+
 /// One round: edges that are too long are halved, and each triangle is cut along the halves.
 class Round {
  public:
@@ -71,14 +73,32 @@ class Round {
 }  // namespace
 
 io::Mesh subdivided(const io::Mesh& mesh, double longest) {
-  constexpr size_t enough = 3 * 12500;  // a round makes four of one
   io::Mesh fine = mesh;
-  while (fine.triangles.size() <= enough) {
+  while (fine.triangles.size() <= 3 * enough) {
     Round round(fine, longest);
     if (!round.changed()) break;
     fine = round.take();
   }
   return fine;
+}
+
+// Rounds halve the edges until none is too long.
+size_t most_pieces(const io::Mesh& mesh, double longest) {
+  const size_t count = mesh.triangles.size() / 3;
+  if (count > enough) return count;
+  size_t sum = 0;
+  for (size_t c = 0; c + 2 < mesh.triangles.size() && sum <= 4 * enough; c += 3) {
+    double edge = 0;
+    for (size_t k = 0; k < 3; ++k) {
+      edge = std::max(edge, (vector(mesh.positions[mesh.triangles[c + k]]) -
+                             vector(mesh.positions[mesh.triangles[c + (k + 1) % 3]]))
+                                .norm());
+    }
+    size_t pieces = 1;
+    for (; edge > longest && pieces <= 4 * enough; edge /= 2) pieces *= 4;
+    sum += pieces;
+  }
+  return std::min(sum, 4 * enough);
 }
 
 }  // namespace weft::render

@@ -9,4 +9,7 @@ namespace weft::render {
 /// place are cut in one place, so that nothing opens between triangles.
 io::Mesh subdivided(const io::Mesh&, double longest);
 
+/// No fewer triangles than that has; without making them.
+size_t most_pieces(const io::Mesh&, double longest);
+
 }  // namespace weft::render

@@ -17,6 +17,9 @@ const std::array<Dyes, 4> dyes{
      {{0.62f, 0.40f, 0.09f}, {0.25f, 0.08f, 0.06f}, {0.9f, 0.85f, 0.7f}},
      {{0.16f, 0.28f, 0.13f}, {0.05f, 0.07f, 0.10f}, {0.8f, 0.8f, 0.7f}}}};
 
+/// So many are drawn round.
+constexpr size_t few_bars = 2000;
+
 /// The longest side of the box around a cloth as it starts.
 double extent(const io::Surface& start, const io::SurfacePart& part) {
   Box box;
@@ -29,7 +32,9 @@ double extent(const io::Surface& start, const io::SurfacePart& part) {
 }  // namespace
 
 Weavings::Weavings(const io::Scene& scene, const io::Surface& start, const Stage& stage)
-    : bars_(bars(scene, start)), bar_radius_(0.006f * stage.radius) {
+    : bars_(bars(scene, start)),
+      bar_models_(bars_.size() > few_bars ? 4 : 12),
+      bar_radius_(0.006f * stage.radius) {
   for (const io::SurfacePart& part : start.parts) {
     const double size = extent(start, part);
     parts_.push_back(

@@ -29,7 +29,7 @@ class Weavings {
   Buffer moving_, weave_, indices_;
   std::vector<Part> parts_;
   std::vector<std::array<uint32_t, 2>> bars_;
-  CapsuleModels bar_models_{12};
+  CapsuleModels bar_models_;
   float bar_radius_;
   std::vector<std::array<float, 6>> vertices_;  ///< position, normal: kept for its memory
 };

@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <set>
 
 namespace weft::render {
 namespace {
@@ -62,6 +63,18 @@ void YieldingMesh::update(const io::Surface& surface, double time) {
     std::copy_n(p.data(), 3, drawn.vertices[i].begin());
   }
   moved_ = std::make_unique<Model>(drawn);
+}
+
+uint64_t bytes_of_meshes(const io::Scene& scene) {
+  constexpr uint64_t per_piece = 2400;
+  std::set<YieldingMesh::Key> known;
+  uint64_t sum = 0;
+  for (const io::ColliderScene& collider : scene.colliders) {
+    const auto* d = std::get_if<io::MeshColliderScene>(&collider);
+    if (!d || !known.insert({d->mesh.get(), d->scale, d->closed}).second) continue;
+    sum += per_piece * most_pieces(*d->mesh, longest_edge(*d->mesh));
+  }
+  return sum;
 }
 
 void YieldingMesh::draw() const { (moved_ ? *moved_ : shape_->model).draw(); }

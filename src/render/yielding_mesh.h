@@ -24,7 +24,8 @@ class YieldingMesh {
     Creased drawn;  ///< where the file has it
     Model model;
   };
-  using Shapes = std::map<std::tuple<const io::Mesh*, double, bool>, std::shared_ptr<const Shape>>;
+  using Key = std::tuple<const io::Mesh*, double, bool>;
+  using Shapes = std::map<Key, std::shared_ptr<const Shape>>;
 
   YieldingMesh(const io::MeshColliderScene&, Shapes&);
 
@@ -42,5 +43,8 @@ class YieldingMesh {
   std::unique_ptr<Model> moved_;  ///< null: no triangle cuts it
   bool shows_ = false;
 };
+
+/// What the collider meshes of a scene take while they are drawn, as measured and rounded up.
+uint64_t bytes_of_meshes(const io::Scene&);
 
 }  // namespace weft::render

@@ -19,8 +19,9 @@ struct EnergyInput {
 struct Energies {
   double kinetic = 0, elastic = 0, potential = 0;
   double3 momentum{0, 0, 0};
-  /// The largest (l - l0)/l0 of a spring with l0 > 0 that is no bend spring: of a mesh, of the
-  /// edges of its triangles. What folds changes the length of a bend spring and stretches nothing.
+  /// The largest (l - l0)/l0 of a spring that is no bend spring, with l0 above a billionth of the
+  /// longest: of a mesh, of the edges of its triangles. What folds changes the length of a bend
+  /// spring and stretches nothing.
   double stretch = 0;
 };
 Energies energies(const EnergyInput&);

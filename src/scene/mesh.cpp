@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 
 #include "base/message_host.h"
 #include "scene/check.h"
@@ -91,6 +92,26 @@ void tell_of_loose_vertices(CookedFabric& fabric) {
             static_cast<uint32_t>(loose), first)});
 }
 
+/// As at the poles of a globe that was written point by point.
+void tell_of_springs_without_length(const MeshDesc& desc, const std::vector<SpringRecord>& springs,
+                                    CookedFabric& fabric) {
+  const auto length = [&](const SpringRecord& s) {
+    const double3 a = desc.positions[s.a], b = desc.positions[s.b];
+    return std::hypot(a.x - b.x, a.y - b.y, a.z - b.z);
+  };
+  double longest = 0;
+  for (const SpringRecord& spring : springs) longest = std::max(longest, length(spring));
+  const auto has_none = [&](const SpringRecord& s) { return length(s) <= 1e-9 * longest; };
+  const auto first = std::find_if(springs.begin(), springs.end(), has_none);
+  if (first == springs.end()) return;
+  fabric.diagnostics.push_back(
+      {Severity::warning, first->a,
+       text("%u springs have no length to speak of, the first between the vertices %u and %u (they "
+            "lie in one place) give both the same index (in C++ also MeshDesc::weld_distance)",
+            static_cast<uint32_t>(std::count_if(first, springs.end(), has_none)), first->a,
+            first->b)});
+}
+
 void cook_checked(const MeshDesc& desc, CookedFabric& fabric) {
   store_positions(desc.positions, desc.material.scale, fabric);
   fabric.stiffness = desc.material.stiffness;
@@ -113,6 +134,7 @@ void cook_checked(const MeshDesc& desc, CookedFabric& fabric) {
     first = end;
   }
   if (desc.bend) merge_bend(springs, bend, fabric);
+  if (!(fabric.rest_length >= 0)) tell_of_springs_without_length(desc, springs, fabric);
   const uint32_t pieces = build_rows(springs, fabric);
   if (pieces > 1) {
     fabric.diagnostics.push_back(

@@ -54,6 +54,26 @@ TEST(Framing, HasEverythingInThePictureAndNoRoomToSpare) {
   }
 }
 
+// From the nearest place at which all is in view, a wide lens would stand in the cloth.
+TEST(Framing, KeepsItsDistanceAlsoWithWideLenses) {
+  for (const Vector3d& half : {Vector3d(1, 0, 1), Vector3d(0.5, 0.5, 0.5), Vector3d(0.1, 0, 5)}) {
+    for (const double angle : {20.0, 60.0, 90.0, 120.0, 150.0}) {
+      io::Scene scene = plain_scene();
+      scene.camera.field_of_view = angle;
+      const io::Surface surface = cloud({3, 0.6, 0}, half);
+      const Framing framing(scene, surface);
+      const Stage stage = make_stage(scene, framing);
+      double nearest = 1e300;
+      for (const double3& p : surface.positions) {
+        const Eigen::Vector2f at = seen_at(stage, p);
+        EXPECT_LE(at.cwiseAbs().maxCoeff(), 1);
+        nearest = std::min(nearest, framing.axes().back.dot(framing.eye() - vector(p)));
+      }
+      EXPECT_GE(nearest, 0.3 * framing.box().radius()) << angle;
+    }
+  }
+}
+
 // Vertices of a mesh that no triangle has are not drawn, wherever they fall.
 TEST(Framing, LeavesOutLooseVertices) {
   io::Scene scene = plain_scene();

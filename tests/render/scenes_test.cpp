@@ -160,6 +160,49 @@ TEST(Pictures, ACameraThatSeesNothingIsAWarning) {
       run_weft("run --format png --out " + folder.string() + " " + scene, in_software);
   EXPECT_EQ(outcome.code, 0);
   EXPECT_NE(outcome.err.find("s.json: $.camera: no cloth is in any picture"), std::string::npos);
+  json["camera"]["target"] = {0.5, 1, 0};
+  for (const char* wall : {"[]", R"([{"box": {"center": [0.5, 1, 2], "half": [9, 9, 0.1]}}])"}) {
+    json["colliders"] = Json::parse(wall);
+    const std::string walled = folder.write("w.json", json.dump());
+    const Outcome seen =
+        run_weft("run --format png --out " + folder.string() + " " + walled, in_software);
+    EXPECT_EQ(seen.code, 0);
+    EXPECT_EQ(seen.err.find("no cloth is in any picture") != std::string::npos,
+              !json["colliders"].empty())
+        << seen.err;
+  }
+}
+
+TEST(Pictures, WhatIsBelowTheGroundCastsNoShadow) {
+  const TemporaryFolder folder;
+  Json json = io::test::falling_scene();
+  json["time"] = {{"duration", 0}};
+  json["cloths"][0]["transform"] = {{"translate", {0, 0.3, 0}}};
+  json["camera"] = {{"eye", {3, 3, 4}}, {"target", {0.5, 0.5, 0}}, {"width", 64}, {"height", 64}};
+  const auto picture = [&](double height) {
+    json["colliders"] = Json::parse(R"([{"plane": {"normal": [0, 1, 0], "offset": 0}}, {}])");
+    json["colliders"][1]["sphere"] = {{"center", {0.5, height, 0.5}}, {"radius", 0.3}};
+    const std::string scene = folder.write("s.json", json.dump());
+    EXPECT_EQ(run_weft("run --format png --out " + folder.string() + " " + scene, in_software).code,
+              0);
+    return read_png(folder / "frame_000000.png");
+  };
+  const Image buried = picture(-0.31);
+  EXPECT_GE(psnr(buried, picture(-0.5)), 45) << "35 where both are seen through the ground";
+  EXPECT_LT(psnr(buried, picture(0.1)), 30) << "half of it is above";
+}
+
+TEST(Pictures, AClothThatStartsInAColliderIsAWarning) {
+  const TemporaryFolder folder;
+  Json json = io::test::falling_scene();
+  json["time"] = {{"duration", 0}};
+  json["colliders"] = Json::parse(R"([{"sphere": {"center": [0.5, 1, 0], "radius": 0.4}}])");
+  const std::string run = "run --format png --size 32x32 --out " + folder.string() + " ";
+  const Outcome outcome = run_weft(run + folder.write("s.json", json.dump()), in_software);
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_NE(outcome.err.find("s.json: $.colliders[0]: shows through cloth at the start"),
+            std::string::npos)
+      << outcome.err;
 }
 
 TEST(Pictures, FilmsNeedFfmpegAndLeaveNothingWithout) {

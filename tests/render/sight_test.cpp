@@ -39,12 +39,7 @@ TEST(Sight, IsContentWithViewsThatShowCloth) {
   EXPECT_TRUE(problems_of(automatic).empty());
 }
 
-TEST(Sight, TellsOfViewsThatShowNone) {
-  const auto away = problems_of(scene_from({0.5, 0.5, 3}, {0.5, 0.5, 6}));
-  ASSERT_EQ(away.size(), 1u);
-  EXPECT_NE(away[0].find("no cloth is in any picture"), std::string::npos);
-  const auto aside = problems_of(scene_from({20, 0.5, 3}, {20, 0.5, 0}));
-  ASSERT_EQ(aside.size(), 1u);
+TEST(Sight, TellsOfViewsFromFarAway) {
   for (const double distance : {1e4, 1e30, 1e150}) {
     const auto far = problems_of(scene_from({0.5, 0.5, distance}, {0.5, 0.5, 0}));
     ASSERT_EQ(far.size(), 1u) << distance;

@@ -30,6 +30,25 @@ TEST(Energy, UnfoldingAMeshStretchesNothing) {
               1e-6);
 }
 
+// The pole of a globe: two vertices that differ by a rounding error.
+TEST(Energy, SpringsWithoutLengthHaveNoStretchAndAreADiagnostic) {
+  const std::vector<double3> rest{{0, 0, 0}, {6e-17, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  std::vector<double3> now = rest;
+  now[1].x = 1e-3;
+  now[2].x = 1.25;
+  const std::vector<uint32_t> triangles{0, 1, 3, 1, 2, 3};
+  MeshDesc desc;
+  desc.positions = View<double3>(rest);
+  desc.indices = triangles;
+  CookedFabric fabric(std::pmr::get_default_resource());
+  cook_mesh(desc, fabric);
+  const Energies e = energies({fabric, now, at_rest(4), nullptr, {0, 0, 0}, rest});
+  EXPECT_NEAR(e.stretch, 0.249, 1e-12);
+  ASSERT_EQ(fabric.diagnostics.size(), 1u);
+  EXPECT_EQ(fabric.diagnostics[0].element, 0u);
+  EXPECT_EQ(std::string(fabric.diagnostics[0].text).find("1 springs have no length"), 0u);
+}
+
 TEST(Energy, BendSpringsOfAGridDoNotCount) {
   GridDesc desc;
   desc.rows = 1;

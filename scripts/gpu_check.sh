@@ -8,8 +8,8 @@
 #
 # The machine with the GPU needs no package registry: run `scripts/gpu_check.sh prepare` where there
 # is one, and take the whole folder along. Third-party headers and libraries are then found in
-# build/gpu_packages (below 60 MiB). Every stage ends within 8 minutes: machines with a GPU are often
-# lent for little longer. Without a GPU only prepare and build run, as long as they take.
+# build/gpu_packages (below 60 MiB). Every stage ends within 8 minutes, for a machine with a GPU is
+# often lent. Without a GPU only prepare and build run, as long as they take.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 source scripts/stages.sh

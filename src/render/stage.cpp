@@ -70,8 +70,8 @@ void place_ground(const io::Scene& scene, const Vector3d& up, double gap, Stage&
 }  // namespace
 
 Stage make_stage(const io::Scene& scene, Framing framing) {
-  if (framing.box().radius() < 1e-6) framing.add(framing.box().center(), 1e-3);  // a point at rest
-  const double size = std::max(framing.box().radius(), 1e-3);
+  if (framing.box().radius() < 1e-9) framing.add(framing.box().center(), 1e-3);  // a point at rest
+  const double size = framing.box().radius();
   add_colliders(scene, framing);
   Stage stage;
   stage.seen = framing.box().grown(0.01 * size);

@@ -26,7 +26,7 @@ double extent(const io::Surface& start, const io::SurfacePart& part) {
   for (size_t i = 0; i < part.vertex_count; ++i) {
     box.add(vector(start.positions[part.first_vertex + i]));
   }
-  return std::max((box.high - box.low).maxCoeff(), 1e-6);
+  return std::max((box.high - box.low).maxCoeff(), 1e-9);
 }
 
 }  // namespace

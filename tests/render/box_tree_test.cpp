@@ -48,7 +48,7 @@ std::vector<uint32_t> near_among(const std::vector<Box>& boxes, const Box& box) 
 
 TEST(BoxTree, FindsEachBoxThatTouchesOnce) {
   Boxes random(7);
-  for (const size_t count : {0, 1, 4, 5, 37, 1000}) {
+  for (const size_t count : {0u, 1u, 4u, 5u, 37u, 1000u}) {
     std::vector<Box> boxes;
     for (size_t i = 0; i < count; ++i) boxes.push_back(random.around(i % 3 == 0 ? 1.5 : 0.05));
     const BoxTree tree(boxes);

@@ -24,34 +24,19 @@ struct EdgeForces {
     if (sim.activity != nullptr && sim.activity[of_cloth].asleep) return;
     const int e0 = block * block_size + lane0;
     LaneVec3<T, N> force;
-    if (edges.accumulation == Accumulation::float24_all) {
-      pull_in_float24(e0, lanes, force);
-    } else {
-      pull(e0, lanes, force);
-    }
-    if (cloth.spring_damping > T(0)) {
-      if (step.position_form) {
-        damp<true>(cloth, e0, lanes, force);
-      } else {
-        damp<false>(cloth, e0, lanes, force);
-      }
-    }
+    pull(e0, lanes, force);
+    damp(cloth, e0, lanes, force);
     // -- seam: forces | where they go
     switch (edges.accumulation) {
       case Accumulation::atomic:
         return add_atomically(e0, lanes, force);
       case Accumulation::fixed64:
         return add_fixed(cloth, e0, lanes, force);
-      case Accumulation::fixed8:
-        find_largest(lanes, force);
-        break;
       default:
-        break;
+        lanes.each([&](int l) WEFT_LANE { store(edges.force, e0 + l, force.get(l)); });
     }
-    lanes.each([&](int l) WEFT_LANE { store(edges.force, e0 + l, force.get(l)); });
   }
 
- private:
   template <int N>
   WEFT_HD void pull(int e0, Lanes<N> lanes, LaneVec3<T, N>& force) const {
     const Edges<T>& edges = sim.edges;
@@ -62,20 +47,21 @@ struct EdgeForces {
   }
 
   template <int N>
-  WEFT_HD_COLD void pull_in_float24(int e0, Lanes<N> lanes, LaneVec3<T, N>& force) const {
-    const Edges<T>& edges = sim.edges;
-    lanes.each([&](int l) WEFT_LANE {
-      const Vec3<Float24<T>> to =
-          to_float24(load(p.x_in, edges.b[e0 + l])) - to_float24(load(p.x_in, edges.a[e0 + l]));
-      force.set(l, from_float24(spring_force(to, Float24<T>(edges.stiffness[e0 + l]),
-                                             Float24<T>(edges.rest[e0 + l]))));
-    });
+  WEFT_HD void damp(const ClothParams<T>& cloth, int e0, Lanes<N> lanes,
+                    LaneVec3<T, N>& force) const {
+    if (!(cloth.spring_damping > T(0))) return;
+    if (step.position_form) {
+      add_damping<true>(cloth, e0, lanes, force);
+    } else {
+      add_damping<false>(cloth, e0, lanes, force);
+    }
   }
 
+ private:
   /// In the native mode damping is a sum of its own, as in the gather, where wind comes between.
   template <bool Position, int N>
-  WEFT_HD_COLD void damp(const ClothParams<T>& cloth, int e0, Lanes<N> lanes,
-                         LaneVec3<T, N>& force) const {
+  WEFT_HD_COLD void add_damping(const ClothParams<T>& cloth, int e0, Lanes<N> lanes,
+                                LaneVec3<T, N>& force) const {
     const Edges<T>& edges = sim.edges;
     const T per_dt = step.ratio / step.dt;
     LaneVec3<T, N> damping;
@@ -142,28 +128,6 @@ struct EdgeForces {
   WEFT_HD static unsigned long long whole(T v) {
     const T half = v < T(0) ? T(-0.5) : T(0.5);
     return static_cast<unsigned long long>(static_cast<long long>(v + half));
-  }
-
-  template <int N>
-  WEFT_HD_COLD void find_largest(Lanes<N> lanes, const LaneVec3<T, N>& force) const {
-    T most[N];
-    lanes.each([&](int l) WEFT_LANE { most[l] = square_root(dot(force.get(l), force.get(l))); });
-    double largest = 0;
-    for (int l = 0; l < N; ++l) largest = larger(largest, double(most[l]));
-    unsigned long long bits;
-    __builtin_memcpy(&bits, &largest, sizeof bits);
-    // Doubles that are not negative are ordered as their bits.
-    atomic_most(sim.edges.largest, bits);
-  }
-};
-
-/// Before the springs of a substep in fixed8.
-template <class T>
-struct ForgetLargest {
-  unsigned long long* largest;
-  template <int N>
-  WEFT_HD void operator()(int, int lane0, Lanes<N>) const {
-    if (lane0 == 0) *largest = 0;
   }
 };
 

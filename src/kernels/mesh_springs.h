@@ -43,7 +43,7 @@ struct MeshSprings {
       });
     }
     if (hubs.of_block != nullptr) {
-      add_hubs(hubs, hubs.force, NativeSum<T>{}, block, i0, lanes, force);
+      add_hubs(hubs, hubs.force, block, i0, lanes, force);
     }
   }
 
@@ -62,7 +62,7 @@ struct MeshSprings {
       });
     }
     if (hubs.of_block != nullptr) {
-      add_hubs(hubs, hubs.damping, NativeSum<T>{}, block, i0, lanes, force);
+      add_hubs(hubs, hubs.damping, block, i0, lanes, force);
     }
   }
 };

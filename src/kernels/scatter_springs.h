@@ -6,55 +6,8 @@
 namespace weft {
 namespace WEFT_BACKEND_NS {
 
-/// The sums of the particles of a block, in the modes whose sums do not fit into the pass that
-/// integrates: Georgii and Westermann 2005, section 4.2, third pass.
-template <class T>
-struct SumForces {
-  Simulation<T> sim;
-
-  static constexpr bool uneven = true;
-  WEFT_HD int64_t work_before(int index) const {
-    return incident_before(sim.edges, sim.edges.first_block, index);
-  }
-
-  template <int N>
-  WEFT_HD void operator()(int index, int lane0, Lanes<N> lanes) const {
-    const Edges<T>& edges = sim.edges;
-    const int block = edges.first_block + index;
-    const int i0 = block * block_size + lane0;
-    const int of_cloth = sim.block.cloth[block];
-    if (sim.activity != nullptr && sim.activity[of_cloth].asleep) return;
-    with_sum(edges, sim.cloths[of_cloth], [&](const auto& s) {
-      LaneVec3<T, N> total;
-      lanes.each([&](int l) WEFT_LANE { total.set(l, {T(0), T(0), T(0)}); });
-      sum_incident(edges, edges.force, s, block, i0, lanes, total);
-      if (sim.hubs.of_block != nullptr) {
-        add_hubs(sim.hubs, sim.hubs.force, s, block, i0, lanes, total);
-      }
-      const int t0 = index * block_size + lane0;
-      lanes.each([&](int l) WEFT_LANE { store(edges.total, t0 + l, result_of(s, total.get(l))); });
-    });
-  }
-};
-
-/// After a substep in float24_all: what is stored has no more digits either.
-template <class T>
-struct RoundState {
-  Edges<T> edges;
-  ParticleBuffers<T> p;
-
-  template <int N>
-  WEFT_HD void operator()(int index, int lane0, Lanes<N> lanes) const {
-    const int i0 = (edges.first_block + index) * block_size + lane0;
-    lanes.each([&](int l) WEFT_LANE {
-      store(p.x_out, i0 + l, from_float24(to_float24(load(p.x_out, i0 + l))));
-      store(p.d_out, i0 + l, from_float24(to_float24(load(p.d_out, i0 + l))));
-    });
-  }
-};
-
 /// Native: forces are summed where they are needed, to the bits of the gather. Otherwise the sums
-/// are there already; what atomics have filled is emptied for the next substep.
+/// are there already, and are emptied for the atomics of the next substep.
 template <class T, template <class> class FanOfCloth>
 struct ScatterSprings {
   using Fan = FanOfCloth<T>;
@@ -76,9 +29,9 @@ struct ScatterSprings {
                       int i0, Lanes<N> lanes, LaneVec3<T, N>& force) const {
     if (edges.accumulation != Accumulation::native) return take(cloth, i0, lanes, force);
     lanes.each([&](int l) WEFT_LANE { force.set(l, {T(0), T(0), T(0)}); });
-    sum_incident(edges, edges.force, NativeSum<T>{}, block, i0, lanes, force);
+    sum_incident(edges, edges.force, block, i0, lanes, force);
     if (hubs.of_block != nullptr) {
-      add_hubs(hubs, hubs.force, NativeSum<T>{}, block, i0, lanes, force);
+      add_hubs(hubs, hubs.force, block, i0, lanes, force);
     }
   }
 
@@ -86,9 +39,9 @@ struct ScatterSprings {
   WEFT_HD void damp(const ClothParams<T>& /*cloth*/, const ParticleBuffers<T>& /*p*/, T /*per_dt*/,
                     int block, int i0, Lanes<N> lanes, LaneVec3<T, N>& force) const {
     if (edges.damping.data == nullptr) return;
-    sum_incident(edges, edges.damping, NativeSum<T>{}, block, i0, lanes, force);
+    sum_incident(edges, edges.damping, block, i0, lanes, force);
     if (hubs.of_block != nullptr) {
-      add_hubs(hubs, hubs.damping, NativeSum<T>{}, block, i0, lanes, force);
+      add_hubs(hubs, hubs.damping, block, i0, lanes, force);
     }
   }
 
@@ -109,10 +62,10 @@ struct ScatterSprings {
       });
       return;
     }
-    lanes.each([&](int l) WEFT_LANE { force.set(l, load(edges.total, t0 + l)); });
-    if (edges.accumulation == Accumulation::atomic) {
-      lanes.each([&](int l) WEFT_LANE { store(edges.total, t0 + l, Vec3<T>{T(0), T(0), T(0)}); });
-    }
+    lanes.each([&](int l) WEFT_LANE {
+      force.set(l, load(edges.total, t0 + l));
+      store(edges.total, t0 + l, Vec3<T>{T(0), T(0), T(0)});
+    });
   }
 };
 

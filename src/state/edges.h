@@ -8,16 +8,17 @@ namespace weft {
 
 /// How the forces of the springs of a vertex are added up (kernels/accumulate.h).
 enum class Accumulation : int32_t {
-  native,       ///< over its springs in ascending neighbour index: the bits of the gather
-  atomic,       ///< by floating-point atomics, in any order
-  fixed64,      ///< by 64-bit integer atomics, whose order does not matter
+  native,   ///< over its springs in ascending neighbour index: the bits of the gather
+  atomic,   ///< by floating-point atomics, in any order
+  fixed64,  ///< by 64-bit integer atomics, whose order does not matter
+  // To be measured (kernels/measured):
   float16,      ///< over its springs, the sum rounded to 11 significant bits after each
   float24,      ///< to 17: the fragment units of 2005
   float24_all,  ///< the same, and positions and forces are computed with 17 bits too
   fixed8        ///< to 8 bits, saturating; full scale is the largest spring force
 };
 
-/// Modes whose sums do not fit into the pass that integrates.
+/// The formats that exist to be measured: their sums are passes of their own.
 WEFT_HD constexpr bool sums_apart(Accumulation a) {
   return a != Accumulation::native && a != Accumulation::atomic && a != Accumulation::fixed64;
 }
@@ -46,8 +47,10 @@ struct Edges {
   Vec3Array<T> total;            ///< by particle from first_block on; null in native
   unsigned long long* fixed;     ///< the same as x, y, z by turns in fixed64, two's complement
   unsigned long long* overflow;  ///< fixed64: substep << 32 | spring of the first, or no_overflow
-  unsigned long long* largest;   ///< fixed8: bits of the largest force of a spring, as double
-  double full_scale;             ///< fixed8: in largest spring forces
+
+  // Of kernels/measured:
+  unsigned long long* largest;  ///< fixed8: bits of the largest force of a spring, as double
+  double full_scale;            ///< fixed8: in largest spring forces
 };
 
 constexpr unsigned long long no_overflow = ~0ull;

@@ -2,7 +2,7 @@
 //
 //   frame:    reach?, substep, substep, ..., survey       one parallel region, one enqueue
 //   reach:    which colliders each block can touch        where a cloth has many near it
-//   substep:  springs?, hubs?, sums?             where a cloth scatters or has very many springs
+//   substep:  springs?, hubs?                    where a cloth scatters or has very many springs
 //             advance = forces | wind? | integration | colliders? | pins?    one pass over all;
 //             on a GPU colliders? | pins? are a second one
 //             swap:     what was written becomes what is read
@@ -11,6 +11,7 @@
 
 #include "kernels/collide_pass.h"
 #include "kernels/edge_forces.h"
+#include "kernels/hubs.h"
 #include "kernels/normals.h"
 #include "kernels/reach.h"
 #include "kernels/survey.h"
@@ -18,6 +19,7 @@
 #include "step/exec_contract.h"
 #include "step/fans.h"
 #include "step/frame.h"
+#include "step/measured.h"
 #include "step/reduce.h"
 #include "step/variants.h"
 
@@ -89,11 +91,10 @@ template <class T, class Team>
 void springs_before(const Team& team, const Simulation<T>& sim, const ParticleBuffers<T>& p,
                     const StepParams<T>& step) {
   const Edges<T>& edges = sim.edges;
+  if (edges.blocks > 0 && sums_apart(edges.accumulation)) {  // in a format of step/measured.h
+    return measured::springs_before(team, sim, p, step);
+  }
   if (edges.blocks > 0) {
-    if (edges.accumulation == Accumulation::fixed8) {
-      team.for_each_block(1, ForgetLargest<T>{edges.largest});
-      team.meet();
-    }
     team.for_each_block(edges.blocks, EdgeForces<T>{sim, p, step});
     team.meet();
     team.lap(Lap::springs);
@@ -102,11 +103,6 @@ void springs_before(const Team& team, const Simulation<T>& sim, const ParticleBu
     team.for_each_block(sim.hubs.chunks, HubChunks<T>{sim, p, step});
     team.meet();
     team.lap(Lap::hubs);
-  }
-  if (edges.blocks > 0 && sums_apart(edges.accumulation)) {
-    team.for_each_block(edges.particle_blocks, SumForces<T>{sim});
-    team.meet();
-    team.lap(Lap::sums);
   }
 }
 
@@ -139,11 +135,7 @@ void advance(const Team& team, const Simulation<T>& sim, const ParticleBuffers<T
     }
   }
   team.meet();
-  const bool moved = step.update == Update::summed || step.update == Update::position;
-  if (moved && sim.edges.blocks > 0 && sim.edges.accumulation == Accumulation::float24_all) {
-    team.for_each_block(sim.edges.particle_blocks, RoundState<T>{sim.edges, p});
-    team.meet();
-  }
+  measured::round_after(team, sim.edges, p, step.update);
   team.lap(Lap::advance);
 }
 

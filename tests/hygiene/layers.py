@@ -15,9 +15,10 @@ MAY_INCLUDE = {
     "src/base": [],
     "src/state": ["src/base"],
     "src/kernels": ["src/base", "src/state"],
+    "src/kernels/measured": ["src/base", "src/state", "src/kernels"],
     "src/scene": ["src/base"],
     "src/plan": ["src/base", "src/scene", "src/state"],
-    "src/step": ["src/base", "src/state", "src/kernels", "src/plan"],
+    "src/step": ["src/base", "src/state", "src/kernels", "src/kernels/measured", "src/plan"],
     "src/omp": ["src/base", "src/state", "src/scene", "src/plan", "src/kernels", "src/step"],
     "src/cuda": ["src/base", "src/state", "src/scene", "src/plan", "src/kernels", "src/step"],
     "src/api": ["src/base", "src/scene", "src/plan", "src/step/backend.h"],
@@ -28,13 +29,16 @@ MAY_INCLUDE = {
     "samples": ["src/io"],
 }
 
+# Folders that one file alone enters.
+GATES = {"src/kernels/measured": "src/step/measured.h"}
+
 # Headers without functions that a linker could take from the AVX-512 copy for everybody.
 ISA_SAFE_HEADERS = set("""
 cassert cfloat climits cmath cstddef cstdint cstring limits new type_traits
 immintrin.h omp.h sched.h stddef.h stdint.h stdlib.h string.h
 """.split())
 ISA_ROOTS = ["src/omp/backend.cpp", "src/omp/exec.h", "src/omp/memory.h"]
-ISA_FOLDERS = ["src/base", "src/state", "src/kernels", "src/step"]
+ISA_FOLDERS = ["src/base", "src/state", "src/kernels", "src/kernels/measured", "src/step"]
 
 # Where the headers of others may be included (tests may include any).
 THIRD_PARTY = [
@@ -51,9 +55,9 @@ INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*(?:"([^"\n]+)"|<([^>\n]+)>)', 
 
 
 def folder_of(path):
-    for folder in MAY_INCLUDE:
-        if path.startswith(folder + "/"):
-            return folder
+    holding = [folder for folder in MAY_INCLUDE if path.startswith(folder + "/")]
+    if holding:
+        return max(holding, key=len)
     return path.split("/")[0] if not path.startswith("src/") else posixpath.dirname(path)
 
 
@@ -107,6 +111,8 @@ class Tree:
                 continue
             for line, target in includes:
                 there = folder_of(target)
+                if there != here and path != GATES.get(there, path):
+                    self.problem(path, line, f"only {GATES[there]} may include {there} ({target})")
                 if there in (here, "include/weft") or there in MAY_INCLUDE[here]:
                     continue
                 if target not in MAY_INCLUDE[here]:

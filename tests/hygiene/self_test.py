@@ -83,6 +83,14 @@ class Layers(Project):
                     path: f'#include "{include}"\n'})
                 self.assert_problem(found, "must not include")
 
+    def test_lets_one_file_alone_enter_what_exists_to_be_measured(self):
+        sums = {"src/kernels/measured/sums.h": '#include "kernels/spring.h"\n'}
+        include = '#include "kernels/measured/sums.h"\n'
+        self.assertEqual(self.problems(**sums, **{"src/step/measured.h": include}), [])
+        for path in "src/step/pipeline.h", "src/kernels/advance.h":
+            found = self.problems(**sums, **{path: include})
+            self.assert_problem(found, "only src/step/measured.h may include src/kernels/measured")
+
     def test_refuses_an_unknown_folder(self):
         self.assert_problem(self.problems(**{"src/gadgets/a.h": ""}), "is not a layer")
 

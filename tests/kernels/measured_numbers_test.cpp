@@ -1,16 +1,16 @@
 // Numbers of few digits against their definition: the nearest multiple of a power of two.
-#include "kernels/low_precision.h"
+#include "kernels/measured/numbers.h"
 
 #include <cmath>
 #include <limits>
 
 #include <gtest/gtest.h>
 
-#include "kernels/accumulate.h"
+#include "kernels/measured/sums.h"
 #include "reference/random.h"
 
 namespace weft {
-using namespace WEFT_BACKEND_NS;
+using namespace WEFT_BACKEND_NS::measured;
 
 namespace {
 

@@ -6,6 +6,7 @@
 
 namespace weft {
 namespace WEFT_BACKEND_NS {
+namespace measured {
 
 /// The nearest number of `Digits` significant bits, by Veltkamp's splitting: no exponent is lost
 /// below 2^(126 - 24 + Digits), where the result is infinite or NaN.
@@ -39,31 +40,15 @@ struct Float24 {
   T value;
   Float24() = default;
   WEFT_HD explicit Float24(T v) : value(rounded<float24_digits>(v)) {}
+
+  // Friends, so that they hide none of the operators of vectors from this namespace.
+  friend WEFT_HD Float24 operator+(Float24 a, Float24 b) { return Float24(a.value + b.value); }
+  friend WEFT_HD Float24 operator-(Float24 a, Float24 b) { return Float24(a.value - b.value); }
+  friend WEFT_HD Float24 operator*(Float24 a, Float24 b) { return Float24(a.value * b.value); }
+  friend WEFT_HD Float24 operator/(Float24 a, Float24 b) { return Float24(a.value / b.value); }
+  friend WEFT_HD bool operator>(Float24 a, Float24 b) { return a.value > b.value; }
+  friend WEFT_HD Float24 square_root(Float24 a) { return Float24(square_root(a.value)); }
 };
-template <class T>
-WEFT_HD Float24<T> operator+(Float24<T> a, Float24<T> b) {
-  return Float24<T>(a.value + b.value);
-}
-template <class T>
-WEFT_HD Float24<T> operator-(Float24<T> a, Float24<T> b) {
-  return Float24<T>(a.value - b.value);
-}
-template <class T>
-WEFT_HD Float24<T> operator*(Float24<T> a, Float24<T> b) {
-  return Float24<T>(a.value * b.value);
-}
-template <class T>
-WEFT_HD Float24<T> operator/(Float24<T> a, Float24<T> b) {
-  return Float24<T>(a.value / b.value);
-}
-template <class T>
-WEFT_HD bool operator>(Float24<T> a, Float24<T> b) {
-  return a.value > b.value;
-}
-template <class T>
-WEFT_HD Float24<T> square_root(Float24<T> a) {
-  return Float24<T>(square_root(a.value));
-}
 template <class T>
 WEFT_HD Vec3<Float24<T>> to_float24(Vec3<T> v) {
   return {Float24<T>(v.x), Float24<T>(v.y), Float24<T>(v.z)};
@@ -73,5 +58,6 @@ WEFT_HD Vec3<T> from_float24(Vec3<Float24<T>> v) {
   return {v.x.value, v.y.value, v.z.value};
 }
 
+}  // namespace measured
 }  // namespace WEFT_BACKEND_NS
 }  // namespace weft

@@ -2,7 +2,7 @@
 //
 // Inputs are the buffers of time n, outputs those of time n+1. A stage that a cloth does not need
 // is a uniform branch not taken, once per block of 32 particles. A stage outside of `Set` is not in
-// the kernel: a GPU runs the colliders as a pass of their own (kernels/collide_pass.h).
+// the kernel: a GPU runs the colliders as passes of their own (kernels/collide_pass.h).
 #pragma once
 
 #include "kernels/collide.h"

@@ -4,7 +4,7 @@
 //   reach:    which colliders each block can touch        where a cloth has many near it
 //   substep:  springs?, hubs?                    where a cloth scatters or has very many springs
 //             advance = forces | wind? | integration | colliders? | pins?    one pass over all;
-//             on a GPU colliders? | pins? are a second one
+//             on a GPU shapes? | meshes? | pins? are passes of their own
 //             swap:     what was written becomes what is read
 //   survey:   where the cloths are, how fast, whether any particle is lost
 #pragma once
@@ -106,7 +106,7 @@ void springs_before(const Team& team, const Simulation<T>& sim, const ParticleBu
   }
 }
 
-/// All springs, particles, colliders and pins of every cloth.
+/// A substep of every cloth, from its springs to its pins.
 template <class T, class Team>
 void advance(const Team& team, const Simulation<T>& sim, const ParticleBuffers<T>& p,
              const StepParams<T>& step) {
@@ -171,7 +171,8 @@ void run_frame(Exec& exec, Frame<T>& frame) {
   for (int s = 0; s < frame.substeps % 6; ++s) swap_buffers(frame.sim, frame.position_form);
 }
 
-/// The displacement (or previous position) before the first step of the cloths that are starting.
+/// The displacement (or previous position) before the first substep of the cloths that are
+/// starting.
 template <class T, class Exec>
 void run_start(Exec& exec, Frame<T>& frame) {
   StepParams<T> step = step_params(frame, 0);

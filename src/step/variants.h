@@ -32,7 +32,7 @@ void with_springs(KernelKind kind, const Simulation<T>& sim, Launch launch) {
 
 /// What the kernels above are made of where a substep is one pass: on the host.
 constexpr StageSet one_pass = every_stage;
-/// And on a GPU, whose kernels each have two variants: colliders are a pass of their own, and wind,
+/// And on a GPU, whose kernels each have two variants: colliders are passes of their own, and wind,
 /// which takes two and a half times the registers, is in a kernel only where it blows.
 constexpr StageSet in_still_air = without(without(every_stage, Stage::colliders), Stage::wind);
 constexpr StageSet in_wind = without(every_stage, Stage::colliders);

@@ -71,8 +71,7 @@ weft_cloth_desc weft_default_cloth(void) {
   out.pins = {nullptr, 0, sizeof(Pin)};
   out.motions = {nullptr, 0, sizeof(PinMotion)};
   out.forces = {nullptr, 0, sizeof(VertexForce)};
-  out.drag_model = static_cast<uint8_t>(d.drag_model);
-  out.sleep_time = d.sleep_time;
+  out.settings = d;
   return out;
 }
 weft_sphere_desc weft_default_sphere(void) {

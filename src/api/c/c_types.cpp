@@ -94,11 +94,7 @@ ClothDesc from_c(const weft_cloth_desc& d) {
   out.pins = from_c<Pin>(d.pins);
   out.motions = from_c<PinMotion>(d.motions);
   out.forces = from_c<VertexForce>(d.forces);
-  out.drag = d.drag;
-  out.drag_model = choice<DragModel>(d.drag_model);
-  out.spring_damping = d.spring_damping;
-  out.sleep_speed = d.sleep_speed;
-  out.sleep_time = d.sleep_time;
+  static_cast<weft_cloth_settings&>(out) = d.settings;
   out.user_data = d.user_data;
   return out;
 }

@@ -173,19 +173,14 @@ void fill_record(const ClothDesc& desc, ClothRecord& cloth) {
   const uint32_t vertices = cloth.cooked().vertices;
   set_pose(desc.pose, cloth);
   set_start(desc, vertices, cloth);
-  scene::check_not_negative(desc.drag, "drag");
-  scene::check_not_negative(desc.spring_damping, "spring_damping");
+  for (const ClothNumber& number : cloth_numbers) {
+    scene::check_not_negative(desc.*number.value, number.name);
+  }
   scene::check_choice(int(desc.drag_model), 2, "drag_model", "central, lagged");
-  cloth.drag = desc.drag;
-  cloth.drag_model = desc.drag_model;
-  cloth.spring_damping = desc.spring_damping;
+  static_cast<ClothSettings&>(cloth) = desc;
   cloth.user_data = desc.user_data;
   set_pins(desc, vertices, cloth);
   checked_forces(desc.forces, vertices, cloth.forces);
-  scene::check_not_negative(desc.sleep_speed, "sleep_speed");
-  scene::check_not_negative(desc.sleep_time, "sleep_time");
-  cloth.sleep_speed = desc.sleep_speed;
-  cloth.sleep_time = desc.sleep_time;
   cloth.origin = local_origin(cloth);
 }
 

@@ -18,7 +18,7 @@ struct PinRecord {
   double3 target{0, 0, 0};
 };
 
-struct ClothRecord {
+struct ClothRecord : ClothSettings {
   explicit ClothRecord(std::pmr::memory_resource* memory)
       : pins(memory), motions(memory), forces(memory), positions(memory), velocities(memory) {}
 
@@ -34,8 +34,6 @@ struct ClothRecord {
   double3 translate{0, 0, 0};
   double3 origin{0, 0, 0};  ///< whole metres; device positions are relative to it
 
-  double drag = 0, spring_damping = 0;
-  DragModel drag_model = DragModel::central;
   double3 velocity{0, 0, 0};
   uint64_t user_data = 0;
   std::pmr::vector<PinRecord> pins;  ///< ascending vertex
@@ -49,7 +47,6 @@ struct ClothRecord {
   double force_scale = 0;     ///< N: of one spring (evaluation.h)
   uint32_t most_springs = 0;  ///< of a vertex
 
-  double sleep_speed = 0, sleep_time = 0;
   bool asleep = false;
   double calm = 0;   ///< s: how long nothing has been faster than sleep_speed
   int settling = 0;  ///< substeps until a sleeper's state is in every buffer

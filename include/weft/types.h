@@ -6,6 +6,8 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "weft/cloth_settings.h"
+
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -39,7 +41,6 @@ enum {
   WEFT_ACCUMULATE_FLOAT24_ALL,
   WEFT_ACCUMULATE_FIXED8
 };
-enum { WEFT_DRAG_CENTRAL, WEFT_DRAG_LAGGED };
 enum { WEFT_MOVE_SIMULATE, WEFT_MOVE_TELEPORT };
 enum { WEFT_STENCIL_SEED12, WEFT_STENCIL_CLASSIC12, WEFT_STENCIL_QUAD4, WEFT_STENCIL_TRI6 };
 enum { WEFT_MASS_TOTAL, WEFT_MASS_DENSITY, WEFT_MASS_PER_VERTEX };
@@ -200,10 +201,7 @@ typedef struct weft_cloth_desc {
   weft_view pins;       /* weft_pin */
   weft_view motions;    /* weft_pin_motion */
   weft_view forces;     /* weft_vertex_force */
-  double drag;
-  uint8_t drag_model;
-  double spring_damping;
-  double sleep_speed, sleep_time;
+  weft_cloth_settings settings;
   uint64_t user_data;
 } weft_cloth_desc;
 

@@ -1,6 +1,7 @@
 // Worlds: cloths, colliders and the time they move in.
 #pragma once
 
+#include "weft/cloth_settings.h"
 #include "weft/fabric.hpp"
 #include "weft/plan.hpp"
 
@@ -16,11 +17,6 @@ enum class Form : uint8_t {
 enum class Start : uint8_t {
   taylor,  ///< x_(-1) = x0 - v0 dt + a0 dt^2/2: global order 2
   lagged   ///< x_(-1) = x0 - v0 dt: global order 1
-};
-/// Which velocity the drag force -c v uses.
-enum class DragModel : uint8_t {
-  central,  ///< (x_(n+1) - x_(n-1))/2dt: order 2, does not lower the stable step
-  lagged    ///< (x_n - x_(n-1))/dt, Georgii and Westermann eq. (2): order 1, lowers it
 };
 
 struct WorldDesc {
@@ -68,7 +64,8 @@ struct Pose {
   double3 translate{0, 0, 0};  ///< m
 };
 
-struct ClothDesc {
+/// Drag, damping, sleep: cloth_settings.h.
+struct ClothDesc : ClothSettings {
   Fabric fabric;
   Pose pose;
   /// Positions at the start, m, in the world; empty: the fabric's rest shape in `pose`. Rest
@@ -79,14 +76,6 @@ struct ClothDesc {
   View<Pin> pins;             ///< a vertex at most once
   View<PinMotion> motions;
   View<VertexForce> forces;  ///< several on one vertex add up
-  double drag = 0;           ///< N s/m per vertex, >= 0
-  DragModel drag_model = DragModel::central;
-  double spring_damping = 0;  ///< N s/m along each spring, >= 0, lagged velocity
-  /// The cloth goes to sleep when for `sleep_time` seconds no particle was faster than
-  /// `sleep_speed` (m/s; 0: it never sleeps) at the end of any step, unless a motion leads one of
-  /// its pins. Asleep, its particles stand still and cost next to nothing.
-  double sleep_speed = 0;
-  double sleep_time = 0.5;
   uint64_t user_data = 0;
 };
 
@@ -184,7 +173,7 @@ struct Stability {
 enum class EventType : uint8_t {
   non_finite,        ///< a position became NaN or infinite; `vertex` is the first one
   backend_fallback,  ///< the back end asked for had no device
-  slept,             ///< a cloth has come to rest (ClothDesc::sleep_speed)
+  slept,             ///< a cloth has come to rest (ClothSettings::sleep_speed)
   woke,              ///< and moves again
   time_dropped,      ///< advance() could not keep up: Stats::time_dropped has grown
   force_overflow,    ///< a spring force left the range of Accumulate::fixed64; `vertex` is an end

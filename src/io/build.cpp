@@ -33,6 +33,7 @@ Result<Fabric> cook(Context& context, const ClothScene& cloth) {
 
 ClothDesc cloth_desc(const ClothScene& cloth, const Fabric& fabric) {
   ClothDesc desc;
+  static_cast<ClothSettings&>(desc) = cloth;
   desc.fabric = fabric;
   desc.pose = cloth.pose;
   desc.velocity = cloth.velocity;
@@ -40,11 +41,6 @@ ClothDesc cloth_desc(const ClothScene& cloth, const Fabric& fabric) {
   desc.pins = cloth.pins;
   desc.motions = cloth.motions;
   desc.forces = cloth.forces;
-  desc.drag = cloth.drag;
-  desc.drag_model = cloth.drag_model;
-  desc.spring_damping = cloth.spring_damping;
-  desc.sleep_speed = cloth.sleep_speed;
-  desc.sleep_time = cloth.sleep_time;
   return desc;
 }
 

@@ -50,7 +50,7 @@ struct NetworkShape {
 };
 using Shape = std::variant<GridShape, MeshShape, NetworkShape>;
 
-struct ClothScene {
+struct ClothScene : ClothSettings {
   std::string name;
   Shape shape;
   double scale = 1;
@@ -60,16 +60,11 @@ struct ClothScene {
   std::vector<double> masses;
   Stiffness stiffness{0};
   double rest_length = initial_rest_length;
-  double drag = 0;
-  double spring_damping = 0;
-  DragModel drag_model = DragModel::central;
   std::vector<Pin> pins;  ///< a vertex at most once, ascending
   std::vector<PinMotion> motions;
   double3 velocity{0, 0, 0};
   std::vector<double3> velocities;
   std::vector<VertexForce> forces;
-  double sleep_speed = 0;  ///< 0: it never sleeps
-  double sleep_time = 0.5;
 };
 
 struct MeshColliderScene {

@@ -1,6 +1,6 @@
 #include "backends.h"
 
-#include "api/registry.h"
+#include "api/context/registry.h"
 
 namespace weft {
 

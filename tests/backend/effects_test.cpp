@@ -4,8 +4,8 @@
 #include <cstring>
 #include <functional>
 
-#include "api/context_state.h"
-#include "api/world_state.h"
+#include "api/context/context_state.h"
+#include "api/world/state.h"
 #include "backends.h"
 #include "reference/mesh_shapes.h"
 #include "reference/random.h"

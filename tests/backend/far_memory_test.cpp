@@ -4,9 +4,9 @@
 
 #include <cstring>
 
-#include "api/context_state.h"
-#include "api/registry.h"
-#include "api/world_state.h"
+#include "api/context/context_state.h"
+#include "api/context/registry.h"
+#include "api/world/state.h"
 #include "backends.h"
 
 namespace weft::testing {

@@ -2,8 +2,8 @@
 // colliders.
 #include <gtest/gtest.h>
 
-#include "api/context_state.h"
-#include "api/world_state.h"
+#include "api/context/context_state.h"
+#include "api/world/state.h"
 #include "backends.h"
 
 namespace weft::testing {

@@ -10,6 +10,13 @@ import sys
 
 import source_tree
 
+
+def rooms(folder, names, below):
+    """Rooms of a folder from low to high: each may include those before it and what is below."""
+    return {f"{folder}/{name}": below + [f"{folder}/{lower}" for lower in names[:k]]
+            for k, name in enumerate(names)}
+
+
 MAY_INCLUDE = {
     "include/weft": [],
     "src/base": [],
@@ -21,7 +28,9 @@ MAY_INCLUDE = {
     "src/step": ["src/base", "src/state", "src/kernels", "src/kernels/measured", "src/plan"],
     "src/omp": ["src/base", "src/state", "src/scene", "src/plan", "src/kernels", "src/step"],
     "src/cuda": ["src/base", "src/state", "src/scene", "src/plan", "src/kernels", "src/step"],
-    "src/api": ["src/base", "src/scene", "src/plan", "src/step/backend.h"],
+    **rooms("src/api", ["context", "records", "arena", "world"],
+            ["src/base", "src/scene", "src/plan", "src/step/backend.h"]),
+    "src/api/c": [],
     "src/io": [],
     "src/render": ["src/io"],
     "tools": ["src/io", "src/render", "bench"],

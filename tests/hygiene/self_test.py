@@ -62,7 +62,7 @@ class Layers(Project):
 
     def test_accepts_what_the_layers_allow(self):
         self.assertEqual(self.problems(**{
-            "src/api/world.cpp": '#include "step/backend.h"\n#include "plan/plan.h"\n',
+            "src/api/world/world.cpp": '#include "step/backend.h"\n#include "plan/plan.h"\n',
             "tools/run.cpp": '#include "io/obj.h"\n#include "weft/core.hpp"\n',
             "src/io/obj.h": '#include "weft/core.hpp"\n#include <string>\n',
             "tests/unit/a.cpp": '#include "scene/order.h"\n#include "kernels/spring.h"\n'}), [])
@@ -72,14 +72,16 @@ class Layers(Project):
                 ("src/base/a.h", "kernels/spring.h"), ("src/state/a.h", "scene/order.h"),
                 ("src/kernels/a.h", "plan/plan.h"), ("src/scene/a.h", "plan/plan.h"),
                 ("src/plan/a.h", "step/backend.h"), ("src/step/a.h", "scene/order.h"),
-                ("src/omp/a.cpp", "api/a.h"), ("src/cuda/a.cuh", "omp/exec.h"),
-                ("src/api/a.cpp", "step/pipeline.h"), ("src/api/b.cpp", "kernels/spring.h"),
+                ("src/omp/a.cpp", "api/world/a.h"), ("src/cuda/a.cuh", "omp/exec.h"),
+                ("src/api/world/a.cpp", "step/pipeline.h"),
+                ("src/api/arena/b.cpp", "kernels/spring.h"),
+                ("src/api/records/a.cpp", "api/world/a.h"), ("src/api/c/a.cpp", "api/world/a.h"),
                 ("src/io/a.cpp", "base/vec3.h"), ("tools/a.cpp", "plan/plan.h"),
                 ("samples/hello/a.cpp", "base/vec3.h"), ("include/weft/a.hpp", "base/vec3.h")]:
             with self.subTest(f"{path} includes {include}"):
                 self.setUp()
                 found = self.problems(**{
-                    "src/api/a.h": "", "src/omp/exec.h": "", "src/step/pipeline.h": "",
+                    "src/api/world/a.h": "", "src/omp/exec.h": "", "src/step/pipeline.h": "",
                     path: f'#include "{include}"\n'})
                 self.assert_problem(found, "must not include")
 
@@ -125,7 +127,7 @@ class Layers(Project):
                 self.assert_problem(found, "seen by an ISA object")
         found = self.problems(**{"src/omp/backend.cpp": '#include "scene/order.h"\n'})
         self.assert_problem(found, "src/scene/order.h:1: <vector> is seen by an ISA object")
-        found = self.problems(**{"src/api/a.cpp": "#include <cuda_runtime.h>\n"})
+        found = self.problems(**{"src/api/context/a.cpp": "#include <cuda_runtime.h>\n"})
         self.assert_problem(found, "belongs in src/cuda/")
 
 

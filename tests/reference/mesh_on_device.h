@@ -3,7 +3,7 @@
 
 #include "reference/brute_mesh.h"
 
-#include "api/collider_mesh_arrays.h"
+#include "api/arena/collider_mesh_arrays.h"
 
 namespace reference {
 

@@ -1,0 +1,62 @@
+/* The plain numbers of a cloth: one struct for C and C++, which a cloth's description, its scene
+ * and its record hold as it is. Each is finite and not negative; the default is 0, no effect,
+ * unless said otherwise. C takes the defaults from weft_default_cloth(). */
+#ifndef WEFT_CLOTH_SETTINGS_H
+#define WEFT_CLOTH_SETTINGS_H
+
+#include <stdint.h>
+
+#ifdef __cplusplus
+namespace weft {
+inline namespace v0 {
+/// Which velocity the drag force -c v uses.
+enum class DragModel : uint8_t {
+  central,  ///< (x_(n+1) - x_(n-1))/2dt: order 2, does not lower the stable step
+  lagged    ///< (x_n - x_(n-1))/dt, Georgii and Westermann eq. (2): order 1, lowers it
+};
+}  // namespace v0
+}  // namespace weft
+typedef weft::DragModel weft_drag_model;
+#else
+typedef uint8_t weft_drag_model;
+#endif
+enum { WEFT_DRAG_CENTRAL, WEFT_DRAG_LAGGED };
+
+typedef struct weft_cloth_settings {
+  double drag; /**< N s/m per vertex */
+  /** N s/m along each spring, with the velocity of the last substep. */
+  double spring_damping;
+  /** The cloth goes to sleep when for `sleep_time` seconds no particle was faster than
+   * `sleep_speed` (m/s; 0: it never sleeps) at the end of any step, unless a motion leads one of
+   * its pins. Asleep, its particles stand still and cost next to nothing. */
+  double sleep_speed;
+  double sleep_time; /**< s; default 0.5 */
+  weft_drag_model drag_model;
+} weft_cloth_settings;
+
+#ifdef __cplusplus
+namespace weft {
+inline namespace v0 {
+struct ClothSettings : weft_cloth_settings {
+  constexpr ClothSettings() : weft_cloth_settings{} { sleep_time = 0.5; }
+};
+
+/// The numbers by name, for whoever treats them all alike: checks, messages, an editor's sliders.
+struct ClothNumber {
+  const char* name;
+  double weft_cloth_settings::*value;
+};
+inline constexpr ClothNumber cloth_numbers[] = {
+    {"drag", &weft_cloth_settings::drag},
+    {"spring_damping", &weft_cloth_settings::spring_damping},
+    {"sleep_speed", &weft_cloth_settings::sleep_speed},
+    {"sleep_time", &weft_cloth_settings::sleep_time},
+};
+static_assert(sizeof cloth_numbers / sizeof *cloth_numbers * sizeof(double) + sizeof(double) ==
+                  sizeof(ClothSettings),
+              "a number is missing in the list above");
+}  // namespace v0
+}  // namespace weft
+#endif
+
+#endif

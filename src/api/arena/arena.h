@@ -1,0 +1,81 @@
+// The device memory of a world: cut by the plan's layout, filled from the records, advanced by the
+// back end. One class per precision behind one interface.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "api/records/cloth.h"
+#include "api/records/collider.h"
+#include "api/context/context_state.h"
+#include "plan/layout.h"
+#include "plan/plan.h"
+#include "step/backend.h"
+
+namespace weft::api {
+
+/// The cloths and colliders that an arena is made for, in arena order, and how they are stepped.
+struct ArenaInput {
+  const WorldDesc* world;
+  std::vector<ClothRecord*> cloths;  ///< by kernel, then by creation
+  const std::vector<ColliderRecord>* colliders;
+  const WindDesc* wind;                                  ///< null: none
+  std::vector<const scene::CookedColliderMesh*> meshes;  ///< each that a collider uses, once
+  std::vector<size_t> mesh_of_collider;                  ///< by mesh collider, into `meshes`
+  plan::WorldShape shape;
+};
+
+/// Kernel that a cloth is advanced by.
+KernelKind kind_of(const ClothRecord&);
+/// And its numbers for the plan.
+plan::ClothShape shape_of(const ClothRecord&);
+
+struct FrameInput {
+  int substeps;
+  double dt, dt_before;  ///< s, of a substep
+  double time;           ///< s, at the start of the frame
+  Workers workers;
+};
+
+enum class StateArray : uint8_t { position, displacement, acceleration, normal };
+
+/// Where the vertices of a cloth go, and how.
+struct VertexTarget {
+  double alpha;
+  double3 shift;  ///< m, from the cloth's local frame to the buffer's
+  Vec3<float>* last;
+  VertexAttribute position, normal, last_position;
+};
+
+/// The first spring whose force left the range of fixed64: elements of its ends, and its constants.
+struct ForceOverflow {
+  bool happened = false;
+  int substep = 0, a = 0, b = 0;
+  double stiffness = 0, rest = 0;
+};
+
+class Arena {
+ public:
+  virtual ~Arena() = default;
+  /// Fills and uploads; runs the start pass of cloths that have not moved, and surveys. `time`: of
+  /// the world.
+  virtual Status build(const ArenaInput&, double dt_before, double time, Workers) = 0;
+  /// Copies the state of every moved cloth to its record.
+  virtual Status save(const ArenaInput&) = 0;
+  /// Advances and surveys: the records learn where their cloths are.
+  virtual Status frame(const ArenaInput&, const FrameInput&) = 0;
+  virtual Status accelerations(const ArenaInput&, double dt_before, Workers) = 0;
+  virtual Status normals(const ArenaInput&, Workers) = 0;
+  /// Of one cloth in caller order; positions are local. Accelerations and normals: after the call
+  /// that makes them; both overwrite the other.
+  virtual Status read(const ClothRecord&, StateArray, std::vector<double3>& out) = 0;
+  /// Writes vertices to host memory; normals after the call that makes them.
+  virtual Status write(const ClothRecord&, const VertexTarget&, Workers) = 0;
+  /// Particles stand where they were when it happened.
+  virtual Status force_overflow(ForceOverflow&) = 0;
+  virtual uint64_t bytes() const = 0;
+};
+
+std::unique_ptr<Arena> make_arena(Precision, ContextState&);
+
+}  // namespace weft::api

@@ -1,0 +1,52 @@
+// Colliders of a frame: staged in each cloth's frame, with the list of those that it can touch.
+#pragma once
+
+#include "api/arena/arena.h"
+
+namespace weft::api {
+
+template <class T>
+class ColliderInputs {
+ public:
+  explicit ColliderInputs(const Backend& backend) : backend_(backend) {}
+
+  /// Sizes the staging and writes what never changes to the image.
+  void prepare(const ArenaInput&, const plan::Layout&, char* image);
+  /// Uploads the inputs of one frame to device memory at `base`.
+  Status upload(const ArenaInput&, const FrameInput&, const plan::Layout&, char* base);
+  /// Whether any cloth's blocks have lists of their own in the frame uploaded last.
+  bool by_block() const { return by_block_; }
+
+ private:
+  struct Entry {
+    const ColliderRecord* record;
+    ColliderPath path;
+    WorldReach reach;
+    int32_t turn;
+  };
+
+  void follow(const ArenaInput&, const FrameInput&);
+  void stage_turns(const FrameInput&);
+  Surface<T> surface_of(const Entry&, const double3& origin) const;
+  void stage(const Entry&, const double3& origin, size_t* next);
+  void stage_activity(const ClothRecord&, const FrameInput&, double gravity, size_t first_near,
+                      ClothActivity<T>&);
+  size_t find_near(const ClothRecord&, double margin, size_t first, ClothActivity<T>&);
+
+  const Backend& backend_;
+  std::vector<Entry> entries_;  ///< by shape, then by slot: the order in which they are met
+  std::vector<Sphere<T>> spheres_;
+  std::vector<Plane<T>> planes_;
+  std::vector<Capsule<T>> capsules_;
+  std::vector<Cylinder<T>> cylinders_;
+  std::vector<Box<T>> boxes_;
+  std::vector<MeshCollider<T>> meshes_;
+  std::vector<Mat3<T>> turns_;  ///< [substep + 1][column]
+  std::vector<int32_t> near_;
+  std::vector<ReachOfCollider<T>> near_reach_;
+  std::vector<ClothActivity<T>> activity_;
+  size_t columns_ = 0;
+  bool by_block_ = false;
+};
+
+}  // namespace weft::api

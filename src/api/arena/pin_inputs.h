@@ -1,0 +1,39 @@
+// What changes from frame to frame: moving pins and their motions. Staged on the host in
+// memory that is sized when the arena is built, so that a step allocates nothing.
+#pragma once
+
+#include "api/arena/arena.h"
+
+namespace weft::api {
+
+template <class T>
+class PinInputs {
+ public:
+  explicit PinInputs(const Backend& backend) : backend_(backend) {}
+
+  /// Gives a slot to every pin that can move, names their blocks in the image, and sizes the
+  /// staging.
+  void prepare(const ArenaInput&, const plan::Layout&, char* image);
+  /// Uploads the inputs of one frame to device memory at `base`.
+  Status upload(const ArenaInput&, const FrameInput&, const plan::Layout&, char* base);
+
+ private:
+  struct PinSlot {
+    const ClothRecord* cloth;
+    size_t pin;
+    size_t slot;
+  };
+
+  void stage_pins();
+  void stage_motions(const ArenaInput&, const FrameInput&);
+  size_t vector_element(size_t slot, size_t component, const plan::VectorArray&) const;
+
+  const Backend& backend_;
+  std::vector<PinSlot> slots_;
+  std::vector<int32_t> motion_;
+  std::vector<T> base_, glide_;   ///< arrays of vectors in the back end's layout
+  std::vector<Vec3<T>> offsets_;  ///< [substep][motion]
+  plan::VectorArray array_;       ///< layout of base_ and glide_
+};
+
+}  // namespace weft::api

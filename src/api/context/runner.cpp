@@ -1,0 +1,39 @@
+#include "api/context/runner.h"
+
+namespace weft::api {
+
+Runner::~Runner() {
+  if (!thread_.joinable()) return;
+  {
+    const std::lock_guard lock(mutex_);
+    closing_ = true;
+  }
+  wakes_.notify_one();
+  thread_.join();
+}
+
+void Runner::start(void (*function)(void*), void* argument) {
+  if (!thread_.joinable()) thread_ = std::thread([this] { loop(); });
+  {
+    const std::lock_guard lock(mutex_);
+    function_ = function;
+    argument_ = argument;
+  }
+  wakes_.notify_one();
+}
+
+void Runner::loop() {
+  std::unique_lock lock(mutex_);
+  for (;;) {
+    wakes_.wait(lock, [this] { return function_ || closing_; });
+    if (!function_) return;
+    void (*const function)(void*) = function_;
+    function_ = nullptr;
+    void* const argument = argument_;
+    lock.unlock();
+    function(argument);
+    lock.lock();
+  }
+}
+
+}  // namespace weft::api

@@ -1,0 +1,204 @@
+#include "api/records/cloth.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "api/context/context_state.h"
+#include "api/context/vector_math.h"
+#include "scene/check.h"
+#include "scene/trigonometry.h"
+
+namespace weft::api {
+
+const PinRecord* ClothRecord::pin_of(uint32_t vertex) const {
+  const auto at = std::lower_bound(pins.begin(), pins.end(), vertex,
+                                   [](const PinRecord& p, uint32_t v) { return p.vertex < v; });
+  return at != pins.end() && at->vertex == vertex ? &*at : nullptr;
+}
+
+double3 posed(const ClothRecord& cloth, uint32_t vertex) {
+  const double3 p = cloth.cooked().position_of(vertex);
+  const auto row = [&](const double3& r) { return r.x * p.x + r.y * p.y + r.z * p.z; };
+  return {row(cloth.rotation[0]) + cloth.translate.x, row(cloth.rotation[1]) + cloth.translate.y,
+          row(cloth.rotation[2]) + cloth.translate.z};
+}
+
+double3 start_position(const ClothRecord& cloth, uint32_t vertex) {
+  return cloth.positions.empty() ? posed(cloth, vertex) : cloth.positions[vertex];
+}
+
+double3 motion_offset(const PinMotion& m, double t) {
+  const double s = scene::sine_cosine(m.omega * t).sine;
+  return {m.velocity.x * t + m.amplitude.x * s, m.velocity.y * t + m.amplitude.y * s,
+          m.velocity.z * t + m.amplitude.z * s};
+}
+double3 motion_velocity(const PinMotion& m, double t) {
+  const double c = m.omega * scene::sine_cosine(m.omega * t).cosine;
+  return {m.velocity.x + m.amplitude.x * c, m.velocity.y + m.amplitude.y * c,
+          m.velocity.z + m.amplitude.z * c};
+}
+
+namespace {
+
+void check_vertex(uint32_t vertex, uint32_t count, const char* field, uint32_t index) {
+  if (vertex >= count) {
+    throw InvalidInput(text("%s[%u] names vertex %u (the cloth has %u) give an index below that",
+                            field, index, vertex, count));
+  }
+}
+
+void set_pose(const Pose& pose, ClothRecord& cloth) {
+  rotation_rows(pose.axis, pose.degrees, "pose", cloth.rotation);
+  cloth.translate = checked_vector(pose.translate, "pose.translate");
+}
+
+void set_start(const ClothDesc& desc, uint32_t vertices, ClothRecord& cloth) {
+  checked_vector(desc.velocity, "velocity");
+  cloth.velocity = desc.velocity;
+  if (!desc.positions.empty()) {
+    scene::check_positions(desc.positions, "positions");
+    if (desc.positions.count != vertices) {
+      throw InvalidInput(
+          text("positions has %u elements (the cloth has %u vertices) give one per "
+               "vertex or none",
+               desc.positions.count, vertices));
+    }
+    cloth.positions.resize(vertices);
+    for (uint32_t v = 0; v < vertices; ++v) cloth.positions[v] = desc.positions[v];
+  }
+  if (!desc.velocities.empty()) {
+    scene::check_view(desc.velocities, "velocities");
+    if (desc.velocities.count != vertices) {
+      throw InvalidInput(
+          text("velocities has %u elements (the cloth has %u vertices) give one per "
+               "vertex or none",
+               desc.velocities.count, vertices));
+    }
+    cloth.velocities.resize(vertices);
+    for (uint32_t v = 0; v < vertices; ++v) {
+      checked_vector(desc.velocities[v], text("velocities[%u]", v).c_str());
+      cloth.velocities[v] = desc.velocities[v];
+    }
+  }
+}
+
+void set_pins(const ClothDesc& desc, uint32_t vertices, ClothRecord& cloth) {
+  scene::check_view(desc.pins, "pins");
+  scene::check_view(desc.motions, "motions");
+  for (uint32_t m = 0; m < desc.motions.count; ++m) {
+    const PinMotion& motion = desc.motions[m];
+    checked_vector(motion.velocity, text("motions[%u].velocity", m).c_str());
+    checked_vector(motion.amplitude, text("motions[%u].amplitude", m).c_str());
+    scene::check_finite(motion.omega, text("motions[%u].omega", m).c_str());
+    cloth.motions.push_back(motion);
+  }
+  for (uint32_t i = 0; i < desc.pins.count; ++i) {
+    const Pin& pin = desc.pins[i];
+    check_vertex(pin.vertex, vertices, "pins", i);
+    if (pin.motion != Pin::fixed && pin.motion >= desc.motions.count) {
+      throw InvalidInput(
+          text("pins[%u] names motion %u (there are %u) give an index below that or "
+               "Pin::fixed",
+               i, pin.motion, desc.motions.count));
+    }
+    PinRecord record;
+    record.vertex = pin.vertex;
+    record.motion = pin.motion == Pin::fixed ? -1 : static_cast<int32_t>(pin.motion);
+    record.can_move = record.motion >= 0;
+    record.base = start_position(cloth, pin.vertex);
+    cloth.pins.push_back(record);
+  }
+  std::sort(cloth.pins.begin(), cloth.pins.end(),
+            [](const PinRecord& a, const PinRecord& b) { return a.vertex < b.vertex; });
+  for (size_t i = 1; i < cloth.pins.size(); ++i) {
+    if (cloth.pins[i].vertex == cloth.pins[i - 1].vertex) {
+      throw InvalidInput(text("vertex %u is pinned twice (a vertex has one pin) remove one",
+                              cloth.pins[i].vertex));
+    }
+  }
+}
+
+}  // namespace
+
+void checked_forces(View<VertexForce> forces, uint32_t vertices,
+                    std::pmr::vector<VertexForce>& out) {
+  scene::check_view(forces, "forces");
+  for (uint32_t i = 0; i < forces.count; ++i) {
+    check_vertex(forces[i].vertex, vertices, "forces", i);
+    checked_vector(forces[i].force, text("forces[%u]", i).c_str());
+    out.push_back(forces[i]);
+  }
+  std::stable_sort(out.begin(), out.end(),
+                   [](const VertexForce& a, const VertexForce& b) { return a.vertex < b.vertex; });
+  size_t kept = 0;
+  for (size_t i = 0; i < out.size(); ++i) {
+    const VertexForce force = out[i];
+    if (kept > 0 && out[kept - 1].vertex == force.vertex) {
+      double3& sum = out[kept - 1].force;
+      sum = {sum.x + force.force.x, sum.y + force.force.y, sum.z + force.force.z};
+    } else {
+      out[kept++] = force;
+    }
+  }
+  out.resize(kept);
+}
+
+namespace {
+
+/// Middle of the bounds in whole metres, which every float holds exactly.
+double3 local_origin(const ClothRecord& cloth) {
+  double3 lo{0, 0, 0}, hi{0, 0, 0};
+  const uint32_t vertices = cloth.cooked().vertices;
+  const bool corners_do = cloth.cooked().is_grid && cloth.positions.empty();
+  const uint32_t columns = corners_do ? cloth.cooked().grid.columns : 1;
+  const uint32_t corner[4] = {0, columns - 1, vertices - columns, vertices - 1};
+  for (uint32_t i = 0; i < (corners_do ? 4 : vertices); ++i) {
+    const double3 x = start_position(cloth, corners_do ? corner[i] : i);
+    if (i == 0) lo = hi = x;
+    lo = {std::min(lo.x, x.x), std::min(lo.y, x.y), std::min(lo.z, x.z)};
+    hi = {std::max(hi.x, x.x), std::max(hi.y, x.y), std::max(hi.z, x.z)};
+  }
+  return {std::nearbyint((lo.x + hi.x) / 2), std::nearbyint((lo.y + hi.y) / 2),
+          std::nearbyint((lo.z + hi.z) / 2)};
+}
+
+}  // namespace
+
+void fill_record(const ClothDesc& desc, ClothRecord& cloth) {
+  if (!desc.fabric.impl()) {
+    throw InvalidInput("fabric is empty (a cloth is an instance of one) cook a fabric first");
+  }
+  cloth.fabric = desc.fabric;
+  cloth.cooked_fabric = &desc.fabric.impl()->cooked;
+  const uint32_t vertices = cloth.cooked().vertices;
+  set_pose(desc.pose, cloth);
+  set_start(desc, vertices, cloth);
+  for (const ClothNumber& number : cloth_numbers) {
+    scene::check_not_negative(desc.*number.value, number.name);
+  }
+  scene::check_choice(int(desc.drag_model), 2, "drag_model", "central, lagged");
+  static_cast<ClothSettings&>(cloth) = desc;
+  cloth.user_data = desc.user_data;
+  set_pins(desc, vertices, cloth);
+  checked_forces(desc.forces, vertices, cloth.forces);
+  cloth.origin = local_origin(cloth);
+}
+
+void wake(ClothRecord& cloth) {
+  cloth.asleep = false;
+  cloth.calm = 0;
+}
+
+void notice_rest(ClothRecord& cloth, double dt, double substep) {
+  if (cloth.sleep_speed <= 0 || cloth.asleep) return;
+  // However slowly its pins are led, they must not be left behind.
+  for (const PinRecord& pin : cloth.pins) {
+    if (pin.motion >= 0) return;
+  }
+  cloth.calm = cloth.furthest < cloth.sleep_speed * substep ? cloth.calm + dt : 0;
+  if (cloth.calm <= 0 || cloth.calm < cloth.sleep_time) return;
+  cloth.asleep = true;
+  cloth.settling = substeps_to_settle;
+}
+
+}  // namespace weft::api

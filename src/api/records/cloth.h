@@ -1,0 +1,94 @@
+// What a world remembers of a cloth, on the host, in caller order and double.
+#pragma once
+
+#include <memory_resource>
+#include <vector>
+
+#include "scene/fabric.h"
+#include "weft/world.hpp"
+
+namespace weft::api {
+
+struct PinRecord {
+  uint32_t vertex;
+  int32_t motion = -1;    ///< index into ClothRecord::motions; -1: none
+  bool can_move = false;  ///< has a motion, or was moved: it needs a slot on the device
+  bool gliding = false;   ///< travels from `base` to `target` in the next step
+  double3 base;           ///< world position without its motion
+  double3 target{0, 0, 0};
+};
+
+struct ClothRecord : ClothSettings {
+  explicit ClothRecord(std::pmr::memory_resource* memory)
+      : pins(memory), motions(memory), forces(memory), positions(memory), velocities(memory) {}
+
+  const scene::CookedFabric& cooked() const { return *cooked_fabric; }
+  const PinRecord* pin_of(uint32_t vertex) const;
+
+  ClothId id;
+  Fabric fabric;  // holds the reference
+  const scene::CookedFabric* cooked_fabric = nullptr;
+
+  // Rows of the rotation; position in the world = rotation * rest + translate.
+  double3 rotation[3];
+  double3 translate{0, 0, 0};
+  double3 origin{0, 0, 0};  ///< whole metres; device positions are relative to it
+
+  double3 velocity{0, 0, 0};
+  uint64_t user_data = 0;
+  std::pmr::vector<PinRecord> pins;  ///< ascending vertex
+  std::pmr::vector<PinMotion> motions;
+  std::pmr::vector<VertexForce> forces;  ///< ascending vertex, each once
+  std::pmr::vector<double3>
+      positions;  ///< start, world; empty: rest shape. Freed once it has moved
+  std::pmr::vector<double3> velocities;  ///< start; empty: `velocity`. Freed once it has moved
+
+  bool scatters = false;      ///< its springs are evaluated once each (evaluation.h)
+  double force_scale = 0;     ///< N: of one spring (evaluation.h)
+  uint32_t most_springs = 0;  ///< of a vertex
+
+  bool asleep = false;
+  double calm = 0;   ///< s: how long nothing has been faster than sleep_speed
+  int settling = 0;  ///< substeps until a sleeper's state is in every buffer
+
+  // Of the last survey.
+  double3 low{0, 0, 0}, high{0, 0, 0};  ///< local; low above high: nothing is finite
+  double furthest = 0;                  ///< m: longest way of a particle in the last substep
+  bool broken = false;                  ///< a position is not finite
+
+  bool forces_changed = false;
+  bool moved = false;    ///< a step has been made: the device holds its state
+  int first = 0;         ///< element of its first particle on the device
+  int params = 0;        ///< its place among the cloth parameters
+  int motion_first = 0;  ///< its first motion among the world's
+  // State while the device memory is being remade: local, storage order, as the form keeps it.
+  std::vector<double3> saved_x, saved_d, saved_before;
+  Bounds bounds{}, bounds_before{};  ///< what is told of the last step, and of the one before
+  bool told_asleep = false;
+
+  bool bound_known = false;
+  double bound_dt = 0;
+  uint32_t bound_a = 0, bound_b = 0;
+};
+
+/// Rest position of a vertex in the pose of the cloth, in the world.
+double3 posed(const ClothRecord&, uint32_t vertex);
+/// Where a vertex is at the start.
+double3 start_position(const ClothRecord&, uint32_t vertex);
+/// Displacement of a motion at time t.
+double3 motion_offset(const PinMotion&, double t);
+double3 motion_velocity(const PinMotion&, double t);
+
+/// Sorts forces by vertex and adds up those on one; throws InvalidInput.
+void checked_forces(View<VertexForce>, uint32_t vertices, std::pmr::vector<VertexForce>& out);
+
+/// Substeps after which what a sleeper last wrote is in every buffer.
+constexpr int substeps_to_settle = 3;
+void wake(ClothRecord&);
+/// After a frame of `dt` in substeps of `substep`: puts a calm cloth to sleep.
+void notice_rest(ClothRecord&, double dt, double substep);
+
+/// Checks a description against its fabric and makes a record of it; throws InvalidInput.
+void fill_record(const ClothDesc&, ClothRecord&);
+
+}  // namespace weft::api

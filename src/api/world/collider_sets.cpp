@@ -1,0 +1,114 @@
+// Colliders that a character sends whole every frame.
+#include "api/world/entry.h"
+#include "api/context/vector_math.h"
+#include "api/world/state.h"
+#include "scene/check.h"
+
+namespace weft {
+inline namespace v0 {
+
+namespace {
+
+/// A view of a set as records, in the order of the members; throws InvalidInput.
+struct Described {
+  std::vector<api::ColliderRecord> records;
+  std::vector<std::string> names;  ///< "capsules[3]"
+};
+
+template <class Desc>
+void describe(View<Desc> views, const char* name, Described& out) {
+  scene::check_view(views, name);
+  for (uint32_t i = 0; i < views.count; ++i) {
+    out.names.push_back(text("%s[%u]", name, i));
+    try {
+      out.records.push_back(api::record_of(views[i]));
+    } catch (const InvalidInput& problem) {
+      throw InvalidInput(text("%s: %s", out.names.back().c_str(), problem.what()));
+    }
+  }
+}
+
+Described described(const ColliderSetDesc& desc) {
+  Described all;
+  describe(desc.spheres, "spheres", all);
+  describe(desc.planes, "planes", all);
+  describe(desc.capsules, "capsules", all);
+  describe(desc.cylinders, "cylinders", all);
+  describe(desc.boxes, "boxes", all);
+  return all;
+}
+
+}  // namespace
+
+api::ColliderSetRecord* World::Impl::find(ColliderSetId id) noexcept {
+  if (!id || id.index >= collider_sets.size() || collider_sets[id.index].id != id) return nullptr;
+  return &collider_sets[id.index];
+}
+
+Result<ColliderSetId> World::create_collider_set(const ColliderSetDesc& desc) noexcept {
+  const api::Entry entry(impl_);
+  if (!entry) return entry.status();
+  ColliderSetId id;
+  const Status status = api::guarded(*impl_->context, [&] {
+    const Described all = described(desc);
+    api::ColliderSetRecord set;
+    set.members.reserve(all.records.size());
+    try {
+      for (const api::ColliderRecord& record : all.records) {
+        set.members.push_back(impl_->add(record));
+      }
+      id = impl_->collider_set_ids.take(impl_->collider_sets);
+    } catch (...) {
+      for (const ColliderId member : set.members) impl_->remove(*impl_->find(member));
+      throw;
+    }
+    set.id = id;
+    impl_->collider_sets[id.index] = std::move(set);
+    return Status::ok;
+  });
+  if (status != Status::ok) return status;
+  return id;
+}
+
+Status World::move_collider_set(ColliderSetId id, const ColliderSetDesc& desc, Move how) noexcept {
+  const api::Entry entry(impl_);
+  if (!entry) return entry.status();
+  const api::ColliderSetRecord* set = impl_->find(id);
+  if (!set) return impl_->stale("collider set", id.index);
+  return api::guarded(*impl_->context, [&] {
+    scene::check_choice(int(how), 2, "how", "simulate, teleport");
+    const Described all = described(desc);
+    std::vector<std::pair<api::ColliderRecord*, api::Placed>> moves;
+    for (size_t i = 0; i < all.records.size() && i < set->members.size(); ++i) {
+      api::ColliderRecord* member = impl_->find(set->members[i]);
+      if (!member || member->shape != all.records[i].shape) break;
+      moves.emplace_back(member, api::motion_to(*member, all.records[i], all.names[i].c_str()));
+    }
+    if (moves.size() != all.records.size() || moves.size() != set->members.size()) {
+      throw InvalidInput(
+          text("the set has %zu colliders, the description %zu (or other shapes, or one was "
+               "destroyed alone) give those it was created with, or create the set anew",
+               set->members.size(), all.records.size()));
+    }
+    for (const auto& [member, to] : moves) impl_->move(*member, to, how);
+    return Status::ok;
+  });
+}
+
+Status World::destroy_collider_set(ColliderSetId id) noexcept {
+  const api::Entry entry(impl_);
+  if (!entry) return entry.status();
+  api::ColliderSetRecord* set = impl_->find(id);
+  if (!set) return impl_->stale("collider set", id.index);
+  return api::guarded(*impl_->context, [&] {
+    for (const ColliderId member : set->members) {
+      if (api::ColliderRecord* collider = impl_->find(member)) impl_->remove(*collider);
+    }
+    *set = {};
+    impl_->collider_set_ids.give_back(id.index);
+    return Status::ok;
+  });
+}
+
+}  // namespace v0
+}  // namespace weft

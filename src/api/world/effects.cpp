@@ -1,0 +1,162 @@
+// What acts on the cloths of a world and changes between steps: gravity, forces, wind, moving
+// colliders; and who sleeps through it.
+#include <cmath>
+
+#include "api/world/entry.h"
+#include "api/context/vector_math.h"
+#include "api/world/state.h"
+#include "scene/check.h"
+
+namespace weft {
+inline namespace v0 {
+
+void World::Impl::wake_all() noexcept {
+  for (const ClothId id : order) api::wake(*cloths[id.index]);
+}
+
+void World::Impl::wake_touched(const api::ColliderRecord& collider, double dt) {
+  const api::WorldReach reach = reach_of(collider, path_of(collider, time, dt));
+  for (const ClothId id : order) {
+    api::ClothRecord& cloth = *cloths[id.index];
+    if (!cloth.asleep) continue;
+    // A hair's breadth more than the bounds: what rests on a collider is at its surface.
+    const double hair = 1e-3 * api::length(api::minus(cloth.high, cloth.low)) + 1e-6;
+    const double3 by{hair, hair, hair};
+    const double3 low = api::minus(api::plus(cloth.low, cloth.origin), by);
+    const double3 high = api::plus(api::plus(cloth.high, cloth.origin), by);
+    if (api::overlaps(low, high, reach)) api::wake(cloth);
+  }
+}
+
+void World::Impl::wake_by_colliders(double dt) {
+  for (const api::ColliderRecord& c : colliders) {
+    if (c.id && path_of(c, time, dt).moves) wake_touched(c, dt);
+  }
+}
+
+Status World::set_gravity(double3 gravity) noexcept {
+  const api::Entry entry(impl_);
+  if (!entry) return entry.status();
+  return api::guarded(*impl_->context, [&] {
+    api::checked_vector(gravity, "gravity");
+    if (api::same(gravity, impl_->desc.gravity)) return Status::ok;
+    impl_->desc.gravity = gravity;
+    impl_->result = Impl::Result::none;
+    impl_->dirty |= impl_->starting;  // the start displacements depend on it
+    impl_->wake_all();
+    return Status::ok;
+  });
+}
+
+Status World::set_forces(ClothId id, View<VertexForce> forces) noexcept {
+  const api::Entry entry(impl_);
+  if (!entry) return entry.status();
+  api::ClothRecord* cloth = impl_->find(id);
+  if (!cloth) return impl_->stale("cloth", id.index);
+  return api::guarded(*impl_->context, [&] {
+    std::pmr::vector<VertexForce> sorted(&impl_->context->memory);
+    api::checked_forces(forces, cloth->cooked().vertices, sorted);
+    if (sorted.empty() && cloth->forces.empty()) return Status::ok;
+    impl_->dirty |= impl_->starting || sorted.empty() != cloth->forces.empty();
+    cloth->forces = std::move(sorted);
+    cloth->forces_changed = true;
+    impl_->result = Impl::Result::none;
+    api::wake(*cloth);
+    return Status::ok;
+  });
+}
+
+Status World::set_wind(const WindDesc& wind) noexcept {
+  const api::Entry entry(impl_);
+  if (!entry) return entry.status();
+  return api::guarded(*impl_->context, [&] {
+    api::checked_vector(wind.velocity, "wind.velocity");
+    scene::check_not_negative(wind.air_density, "wind.air_density");
+    scene::check_not_negative(wind.normal, "wind.normal");
+    scene::check_not_negative(wind.tangential, "wind.tangential");
+    // Without air, or without any hold on it, there is no effect.
+    if (wind.air_density == 0 || (wind.normal == 0 && wind.tangential == 0)) return clear_wind();
+    for (const ClothId id : impl_->order) {
+      if (!impl_->wind) impl_->say_if_windless(*impl_->find(id));
+    }
+    impl_->dirty |= impl_->starting || !impl_->wind;
+    impl_->wind = wind;
+    impl_->result = Impl::Result::none;
+    for (const ClothId id : impl_->order) impl_->find(id)->bound_known = false;
+    impl_->wake_all();
+    return Status::ok;
+  });
+}
+
+Status World::clear_wind() noexcept {
+  const api::Entry entry(impl_);
+  if (!entry) return entry.status();
+  if (!impl_->wind) return Status::ok;
+  return api::guarded(*impl_->context, [&] {
+    impl_->wind.reset();
+    impl_->dirty = true;
+    impl_->result = Impl::Result::none;
+    for (const ClothId id : impl_->order) impl_->find(id)->bound_known = false;
+    impl_->wake_all();
+    return Status::ok;
+  });
+}
+
+void World::Impl::say_if_windless(const api::ClothRecord& cloth) {
+  if (api::shape_of(cloth).triangles || cloth.cooked().vertices == 0) return;
+  context->say(
+      Severity::warning,
+      text("cloth %u feels no wind (it has no triangles) use a grid or a mesh, or leave out "
+           "the wind",
+           cloth.id.index));
+}
+
+void World::Impl::move(api::ColliderRecord& c, const api::Placed& to, Move how) {
+  const api::Placed from = path_of(c, time, 0).begin;
+  if (how == Move::teleport && !api::same_place(from, to)) wake_touched(c, 0);
+  c.placed = from;
+  c.velocity = {0, 0, 0};
+  c.since = time;
+  if (how == Move::teleport) {
+    c.placed = to;
+    c.gliding = false;
+    if (!api::same_place(from, to)) wake_touched(c, 0);
+    return;
+  }
+  c.target = to;
+  c.gliding = true;
+  if (!c.can_turn && !api::same_rotation(c.placed, to)) c.can_turn = dirty = true;
+}
+
+Status World::move_collider(ColliderId id, const Pose& pose, Move how) noexcept {
+  const api::Entry entry(impl_);
+  if (!entry) return entry.status();
+  api::ColliderRecord* c = impl_->find(id);
+  if (!c) return impl_->stale("collider", id.index);
+  return api::guarded(*impl_->context, [&] {
+    scene::check_choice(int(how), 2, "how", "simulate, teleport");
+    const api::Placed base = c->shape == ColliderShape::mesh ? c->described : api::Placed{};
+    impl_->move(*c, api::after(api::placed_by(pose, "pose"), base), how);
+    return Status::ok;
+  });
+}
+
+Status World::wake(ClothId id) noexcept {
+  const api::Entry entry(impl_);
+  if (!entry) return entry.status();
+  api::ClothRecord* cloth = impl_->find(id);
+  if (!cloth) return impl_->stale("cloth", id.index);
+  api::wake(*cloth);
+  return Status::ok;
+}
+
+Result<bool> World::asleep(ClothId id) noexcept {
+  const api::Entry entry(impl_);
+  if (!entry) return entry.status();
+  const api::ClothRecord* cloth = impl_->find(id);
+  if (!cloth) return impl_->stale("cloth", id.index);
+  return cloth->asleep;
+}
+
+}  // namespace v0
+}  // namespace weft

@@ -1,0 +1,159 @@
+// A world: records of its cloths and colliders, its time, and the arena that holds its state.
+#pragma once
+
+#include <atomic>
+#include <optional>
+
+#include "api/arena/arena.h"
+#include "api/context/context_state.h"
+#include "api/records/outputs.h"
+#include "api/context/runner.h"
+#include "api/context/slots.h"
+
+namespace weft {
+namespace api {
+
+/// Throws InvalidInput.
+void check_world(const WorldDesc&);
+
+struct EventRecord {
+  Event event;
+  std::string text;
+};
+
+struct ColliderSetRecord {
+  ColliderSetId id;
+  std::vector<ColliderId> members;  ///< spheres, planes, capsules, cylinders, boxes
+};
+
+/// A step between its begin and its end. The thread that makes it touches nothing of the world but
+/// this and the arena.
+struct Flight {
+  bool active = false;  ///< between begin_step and end_step
+  double dt = 0;        ///< s, of the whole step
+  uint32_t substeps = 0;
+  Status outcome = Status::ok;
+  double seconds = 0;            ///< how long the arena worked
+  std::atomic<bool> done{true};  ///< set by the thread that made the step
+};
+
+/// A force beyond the range of fixed64.
+struct Overflow {
+  ClothId cloth;
+  uint32_t vertex = 0;
+  int substep = 0;
+  std::string text;
+};
+
+/// Names of PhaseTime, in order.
+enum Phase { phase_prepare, phase_inputs_and_advance, phase_check, phase_count };
+/// Of the parts of a frame, with the phases before them.
+constexpr int phases_with_laps = phase_count + lap_count;
+
+}  // namespace api
+
+inline namespace v0 {
+
+// Hidden: a nested class else inherits the visibility of its public owner.
+struct __attribute__((visibility("hidden"))) World::Impl {
+  Impl(std::shared_ptr<api::ContextState> owner, const WorldDesc& world_desc);
+
+  api::ClothRecord* find(ClothId) noexcept;
+  api::ColliderRecord* find(ColliderId) noexcept;
+  api::ColliderSetRecord* find(ColliderSetId) noexcept;
+  api::OutputRecord* find(OutputId) noexcept;
+  Status stale(const char* what, uint32_t index) noexcept;
+
+  /// The cloths in arena order with their shape; `substeps` of a frame at most.
+  api::ArenaInput arena_input(uint32_t substeps);
+  /// Makes the arena anew where inputs have changed its shape. `dt`: of the substep to come.
+  Status ensure_built(double dt, uint32_t substeps);
+  Status ensure_readable();
+  /// Accelerations and normals are made when they are asked for, for all cloths at once.
+  Status make_result(api::StateArray);
+  /// Triangles of meshes go to the device when their normals are first asked for.
+  void want_normals();
+  /// A step in three parts: what the world does before the arena works, the arena's work, which may
+  /// be another thread's, and what the world does after it.
+  Status begin(double dt, uint32_t substeps);
+  void fly() noexcept;
+  Status land();
+  Status run(double dt, uint32_t substeps);
+  void start_flight();
+  void wait_for_flight() noexcept;
+  void tell_who_sleeps(api::ClothRecord&);
+  void start_bounds_of(api::ClothRecord&) const;
+  void publish_bounds(api::ClothRecord&) const;
+  Status report_not_finite();
+  /// A force beyond the range of fixed64: diverged, or ok when there was none.
+  Status find_overflow(api::Overflow&);
+  /// Of one in the last step.
+  Status report_overflow();
+  /// What a collider can touch between now and the end of a step of `dt` wakes up, if it moves.
+  void wake_touched(const api::ColliderRecord&, double dt);
+  void wake_by_colliders(double dt);
+  ColliderId add(api::ColliderRecord);
+  void move(api::ColliderRecord&, const api::Placed& to, Move);
+  void remove(api::ColliderRecord&);
+  void wake_all() noexcept;
+  /// Tells the log of a cloth that wind cannot move.
+  void say_if_windless(const api::ClothRecord&);
+
+  api::ClothRecord& bound_of(api::ClothRecord&);
+  Stability tightest();
+  std::string bound_text(const Stability&, double dt, uint32_t substeps);
+
+  std::shared_ptr<api::ContextState> context;
+  WorldDesc desc;
+  std::vector<std::unique_ptr<api::ClothRecord>> cloths;  ///< by slot; null: free
+  uint32_t serial;  ///< in every id: ids of other worlds name nothing here
+  api::Slots<ClothId> cloth_ids;
+  std::vector<ClothId> order;                  ///< by creation
+  std::vector<api::ColliderRecord> colliders;  ///< by slot; null id: free
+  api::Slots<ColliderId> collider_ids;
+  std::vector<api::ColliderSetRecord> collider_sets;  ///< by slot; null id: free
+  api::Slots<ColliderSetId> collider_set_ids;
+  std::vector<api::OutputRecord> outputs;  ///< by slot; null id: free
+  api::Slots<OutputId> output_ids;
+  std::optional<WindDesc> wind;
+  bool normals_wanted = false;  ///< of meshes, whose triangles then lie on the device
+
+  std::unique_ptr<api::Arena> arena;
+  std::optional<api::ArenaInput> built;  ///< what the arena was made for
+  bool dirty = true;                     ///< the arena must be made anew
+  /// What the arena's room for results holds of the present.
+  enum class Result : uint8_t { none, accelerations, normals } result = Result::none;
+  bool starting = false;  ///< some cloth on the device has not moved yet
+  double built_dt = 0;    ///< step that the start displacements belong to
+  uint32_t built_substeps = 0;
+  bool lost = false;  ///< diverged, or the device failed
+
+  std::atomic<const void*> inside{nullptr};  ///< the thread that is inside (entry.h)
+  api::Flight flight;
+
+  double time = 0, time_base = 0;  ///< time = base + frames of one length
+  double frame_dt = 0;
+  uint64_t frames_of_dt = 0;
+  double dt_before = 0;  ///< last substep; 0: none yet
+
+  uint64_t frames = 0, steps = 0;
+  uint32_t substeps_most = 0, substeps_last = 0, threads_last = 1;
+  double dt_least = 0, step_seconds = 0;
+  double time_owed = 0, time_dropped = 0;  ///< s, of advance()
+  PhaseTime phases[api::phases_with_laps] = {
+      {"prepare", 0},       {"advance", 0},           {"check", 0},
+      {"advance.reach", 0}, {"advance.springs", 0},   {"advance.hubs", 0},
+      {"advance.sums", 0},  {"advance.particles", 0}, {"advance.survey", 0}};
+  StageClock clock;
+
+  std::vector<api::EventRecord> event_records;
+  std::vector<Event> events;
+  plan::Plan plan;
+  std::vector<PassInfo> passes;
+  std::vector<EvaluationInfo> evaluations;
+
+  api::Runner runner;  ///< last: it must have ended before anything else goes
+};
+
+}  // namespace v0
+}  // namespace weft

@@ -1,0 +1,315 @@
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+
+#include "api/world/entry.h"
+#include "api/records/evaluation.h"
+#include "api/context/vector_math.h"
+#include "api/world/state.h"
+#include "scene/check.h"
+
+namespace weft {
+
+namespace api {
+
+void check_world(const WorldDesc& desc) {
+  scene::check_finite(desc.gravity.x, "gravity.x");
+  scene::check_finite(desc.gravity.y, "gravity.y");
+  scene::check_finite(desc.gravity.z, "gravity.z");
+  scene::check_choice(int(desc.precision), 2, "precision", "float32, float64");
+  scene::check_choice(int(desc.form), 2, "form", "summed, position");
+  scene::check_choice(int(desc.start), 2, "start", "taylor, lagged");
+  scene::check_choice(int(desc.evaluation), 3, "evaluation", "automatic, gather, scatter");
+  scene::check_choice(int(desc.accumulate), 7, "accumulate",
+                      "native, atomic, fixed64, float16, float24, float24_all, fixed8");
+  if (desc.accumulate != Accumulate::native && desc.evaluation != Evaluation::scatter) {
+    throw InvalidInput(
+        text("accumulate is %s (a gather sums in registers) give native or set "
+             "evaluation to scatter",
+             to_string(desc.accumulate)));
+  }
+  if (desc.accumulate == Accumulate::atomic && desc.deterministic) {
+    throw InvalidInput(
+        "accumulate is atomic while deterministic is true (the order of atomic additions changes "
+        "from run to run) set deterministic to false or give fixed64");
+  }
+  if (!std::isfinite(desc.fixed8_range) || !(desc.fixed8_range > 0)) {
+    throw InvalidInput(text("fixed8_range is %g (full scale is above 0) give largest spring forces",
+                            desc.fixed8_range));
+  }
+  if (!std::isfinite(desc.fixed_dt) || !(desc.fixed_dt > 0)) {
+    throw InvalidInput(
+        text("fixed_dt is %g (it is the step of advance) give seconds above 0", desc.fixed_dt));
+  }
+  if (desc.max_steps_per_advance == 0) {
+    throw InvalidInput(
+        "max_steps_per_advance is 0 (time would never pass) give the most steps of a frame");
+  }
+  if (!(desc.safety > 0) || desc.safety > 1) {
+    throw InvalidInput(
+        text("safety is %g (a step is safe at a fraction of the bound) give a value in "
+             "(0, 1]",
+             desc.safety));
+  }
+}
+
+}  // namespace api
+
+inline namespace v0 {
+
+/// Tells the ids of worlds apart; comes round after 65536 worlds.
+static uint32_t next_serial() {
+  static std::atomic<uint32_t> last{0};
+  return ++last & 0xffff;
+}
+
+World::Impl::Impl(std::shared_ptr<api::ContextState> owner, const WorldDesc& world_desc)
+    : context(std::move(owner)),
+      desc(world_desc),
+      serial(next_serial()),
+      cloth_ids(serial),
+      collider_ids(serial),
+      collider_set_ids(serial),
+      output_ids(serial),
+      arena(api::make_arena(desc.precision, *context)) {
+  events.reserve(16);
+}
+
+api::ClothRecord* World::Impl::find(ClothId id) noexcept {
+  if (!id || id.index >= cloths.size() || !cloths[id.index]) return nullptr;
+  return cloths[id.index]->id == id ? cloths[id.index].get() : nullptr;
+}
+
+api::ColliderRecord* World::Impl::find(ColliderId id) noexcept {
+  if (!id || id.index >= colliders.size() || colliders[id.index].id != id) return nullptr;
+  return &colliders[id.index];
+}
+
+Status World::Impl::stale(const char* what, uint32_t index) noexcept {
+  return context->fail(
+      Status::invalid_handle,
+      text("%s id %u names nothing (null, destroyed, or of another world) use the id "
+           "that its creation returned",
+           what, index));
+}
+
+World::World(World&& other) noexcept : impl_(other.impl_) { other.impl_ = nullptr; }
+World& World::operator=(World&& other) noexcept {
+  std::swap(impl_, other.impl_);
+  return *this;
+}
+World::~World() { delete impl_; }
+
+Result<ClothId> World::create_cloth(const ClothDesc& cloth_desc) noexcept {
+  const api::Entry entry(impl_);
+  if (!entry) return entry.status();
+  ClothId id;
+  const Status status = api::guarded(*impl_->context, [&] {
+    auto record = std::make_unique<api::ClothRecord>(&impl_->context->memory);
+    fill_record(cloth_desc, *record);
+    impl_->start_bounds_of(*record);
+    choose_evaluation(impl_->desc, impl_->context->backend->info(), *record);
+    if (impl_->order.size() == impl_->order.capacity()) {
+      impl_->order.reserve(2 * impl_->order.size() + 8);
+    }
+    id = impl_->cloth_ids.take(impl_->cloths);
+    record->id = id;
+    if (impl_->wind) impl_->say_if_windless(*record);
+    impl_->cloths[id.index] = std::move(record);
+    impl_->order.push_back(id);
+    impl_->dirty = true;
+    return Status::ok;
+  });
+  if (status != Status::ok) return status;
+  return id;
+}
+
+Status World::destroy_cloth(ClothId id) noexcept {
+  const api::Entry entry(impl_);
+  if (!entry) return entry.status();
+  if (!impl_->find(id)) return impl_->stale("cloth", id.index);
+  return api::guarded(*impl_->context, [&] {
+    // The others' state must come to the host while the arena still matches its records.
+    if (impl_->built) {
+      const Status status = impl_->arena->save(*impl_->built);
+      if (status != Status::ok) return status;
+    }
+    impl_->dirty = true;
+    impl_->built.reset();
+    impl_->order.erase(std::find(impl_->order.begin(), impl_->order.end(), id));
+    impl_->cloths[id.index].reset();
+    impl_->cloth_ids.give_back(id.index);
+    for (api::OutputRecord& output : impl_->outputs) {
+      if (!output.id || output.cloth != id) continue;
+      impl_->output_ids.give_back(output.id.index);
+      output = {};
+    }
+    return Status::ok;
+  });
+}
+
+bool World::valid(ClothId id) const noexcept { return impl_ && impl_->find(id) != nullptr; }
+
+ColliderId World::Impl::add(api::ColliderRecord record) {
+  record.since = time;
+  wake_touched(record, 0);
+  record.id = collider_ids.take(colliders);
+  colliders[record.id.index] = record;
+  dirty = true;
+  return record.id;
+}
+
+void World::Impl::remove(api::ColliderRecord& collider) {
+  wake_touched(collider, 0);
+  const uint32_t slot = collider.id.index;
+  collider = {};
+  collider_ids.give_back(slot);
+  dirty = true;
+}
+
+template <class Desc>
+static Result<ColliderId> add_collider(World::Impl* impl, const Desc& desc) {
+  const api::Entry entry(impl);
+  if (!entry) return entry.status();
+  ColliderId id;
+  const Status status = api::guarded(*impl->context, [&] {
+    id = impl->add(api::record_of(desc));
+    return Status::ok;
+  });
+  if (status != Status::ok) return status;
+  return id;
+}
+
+Result<ColliderId> World::create_sphere(const SphereDesc& d) noexcept {
+  return add_collider(impl_, d);
+}
+Result<ColliderId> World::create_plane(const PlaneDesc& d) noexcept {
+  return add_collider(impl_, d);
+}
+Result<ColliderId> World::create_capsule(const CapsuleDesc& d) noexcept {
+  return add_collider(impl_, d);
+}
+Result<ColliderId> World::create_cylinder(const CylinderDesc& d) noexcept {
+  return add_collider(impl_, d);
+}
+Result<ColliderId> World::create_box(const BoxDesc& d) noexcept { return add_collider(impl_, d); }
+
+Result<ColliderId> World::create_mesh(const MeshColliderDesc& d) noexcept {
+  return add_collider(impl_, d);
+}
+
+Status World::destroy_collider(ColliderId id) noexcept {
+  const api::Entry entry(impl_);
+  if (!entry) return entry.status();
+  api::ColliderRecord* collider = impl_->find(id);
+  if (!collider) return impl_->stale("collider", id.index);
+  return api::guarded(*impl_->context, [&] {
+    impl_->remove(*collider);
+    return Status::ok;
+  });
+}
+
+/// Every vertex must exist; `pinned`: each must have a pin.
+static void check_vertices(const api::ClothRecord& cloth, View<uint32_t> vertices, bool pinned) {
+  scene::check_view(vertices, "vertices");
+  for (uint32_t i = 0; i < vertices.count; ++i) {
+    if (vertices[i] >= cloth.cooked().vertices) {
+      throw InvalidInput(
+          text("vertices[%u] is %u (the cloth has %u vertices) give an index below that", i,
+               vertices[i], cloth.cooked().vertices));
+    }
+    if (pinned && !cloth.pin_of(vertices[i])) {
+      throw InvalidInput(
+          text("vertices[%u]: vertex %u is not pinned (only a pin can be released) leave "
+               "it out",
+               i, vertices[i]));
+    }
+  }
+}
+
+Status World::move_pins(ClothId id, View<uint32_t> vertices, PointView targets) noexcept {
+  const api::Entry entry(impl_);
+  if (!entry) return entry.status();
+  api::ClothRecord* cloth = impl_->find(id);
+  if (!cloth) return impl_->stale("cloth", id.index);
+  return api::guarded(*impl_->context, [&] {
+    check_vertices(*cloth, vertices, false);
+    scene::check_positions(targets, "targets");
+    if (targets.count != vertices.count) {
+      throw InvalidInput(
+          text("targets has %u elements (vertices has %u) give one target per vertex",
+               targets.count, vertices.count));
+    }
+    std::vector<double3> now;
+    if (vertices.count > 0) {
+      const Status status = impl_->ensure_readable();
+      if (status != Status::ok) return status;
+      if (const Status read = impl_->arena->read(*cloth, api::StateArray::position, now);
+          read != Status::ok) {
+        return read;
+      }
+    }
+    api::wake(*cloth);
+    cloth->pins.reserve(cloth->pins.size() + vertices.count);
+    for (uint32_t i = 0; i < vertices.count; ++i) {
+      const uint32_t v = vertices[i];
+      auto at = std::lower_bound(cloth->pins.begin(), cloth->pins.end(), v,
+                                 [](const api::PinRecord& p, uint32_t x) { return p.vertex < x; });
+      if (at == cloth->pins.end() || at->vertex != v) {
+        at = cloth->pins.insert(at, api::PinRecord{});
+        at->vertex = v;
+        cloth->bound_known = false;
+      }
+      if (!at->can_move) impl_->dirty = true;
+      at->can_move = at->gliding = true;
+      at->motion = -1;
+      at->base = {cloth->origin.x + now[v].x, cloth->origin.y + now[v].y,
+                  cloth->origin.z + now[v].z};
+      at->target = targets[i];
+    }
+    return Status::ok;
+  });
+}
+
+Status World::set_skinned_targets(ClothId id, PointView targets) noexcept {
+  const api::Entry entry(impl_);
+  if (!entry) return entry.status();
+  const api::ClothRecord* cloth = impl_->find(id);
+  if (!cloth) return impl_->stale("cloth", id.index);
+  return api::guarded(*impl_->context, [&] {
+    if (targets.count != cloth->cooked().vertices) {
+      throw InvalidInput(
+          text("targets has %u elements (the cloth has %u vertices) give one per vertex",
+               targets.count, cloth->cooked().vertices));
+    }
+    scene::check_positions(targets, "targets");
+    std::pmr::vector<uint32_t> vertices(&impl_->context->memory);
+    std::pmr::vector<double3> places(&impl_->context->memory);
+    for (const api::PinRecord& pin : cloth->pins) {
+      vertices.push_back(pin.vertex);
+      places.push_back(targets[pin.vertex]);
+    }
+    return move_pins(id, vertices, View<double3>(places));
+  });
+}
+
+Status World::release_pins(ClothId id, View<uint32_t> vertices) noexcept {
+  const api::Entry entry(impl_);
+  if (!entry) return entry.status();
+  api::ClothRecord* cloth = impl_->find(id);
+  if (!cloth) return impl_->stale("cloth", id.index);
+  return api::guarded(*impl_->context, [&] {
+    check_vertices(*cloth, vertices, true);
+    api::wake(*cloth);
+    for (uint32_t i = 0; i < vertices.count; ++i) {
+      const auto* pin = cloth->pin_of(vertices[i]);
+      if (pin) cloth->pins.erase(cloth->pins.begin() + (pin - cloth->pins.data()));
+    }
+    cloth->bound_known = false;
+    impl_->dirty = true;
+    return Status::ok;
+  });
+}
+
+}  // namespace v0
+}  // namespace weft

@@ -45,7 +45,9 @@ struct Advance {
     LaneVec3<T, N> force;
     springs.gather(cloth, stages.p, block, i0, lanes, force);
     if constexpr (contains(Set, Stage::forces)) {
-      if (cloth.force_offset != no_forces) stages.add_constant_forces(cloth, i0, lanes, force);
+      if (shift_to(Part::forces, cloth) != no_part) {
+        stages.add_constant_forces(cloth, i0, lanes, force);
+      }
     }
     if constexpr (contains(Set, Stage::wind)) {
       if (cloth.in_wind) {
@@ -68,8 +70,8 @@ struct Advance {
     if (!moves) return;
     // -- seam: colliders | pins
     if constexpr (contains(Set, Stage::moving_pins)) {
-      if (sim.block.pins != nullptr && sim.block.pins[block] >= 0) {
-        stages.place_pins(sim.block.pins[block] * block_size + lane0, i0, lanes);
+      if (sim.places_pins && sim.pins.of_block[block] >= 0) {
+        stages.place_pins(sim.pins.of_block[block] * block_size + lane0, i0, lanes);
       }
     }
   }

@@ -26,8 +26,8 @@ struct CollidePass {
       collide(sim.cloths[of_cloth], activity, block, i0, lanes);
     }
     if constexpr (contains(every_stage, Stage::moving_pins)) {
-      if (sim.block.pins != nullptr && sim.block.pins[block] >= 0) {
-        stages.place_pins(sim.block.pins[block] * block_size + lane0, i0, lanes);
+      if (sim.places_pins && sim.pins.of_block[block] >= 0) {
+        stages.place_pins(sim.pins.of_block[block] * block_size + lane0, i0, lanes);
       }
     }
   }

@@ -11,6 +11,12 @@
 namespace weft {
 namespace WEFT_BACKEND_NS {
 
+/// Where a cloth's particles stand in the arrays of a part, less their own elements; or no_part.
+template <class T>
+WEFT_HD int shift_to(Part part, const ClothParams<T>& cloth) {
+  return cloth.part[static_cast<int>(part)];
+}
+
 template <class T>
 struct ParticleStages {
   Simulation<T> sim;
@@ -35,8 +41,9 @@ struct ParticleStages {
   template <int N>
   WEFT_HD void add_constant_forces(const ClothParams<T>& cloth, int i0, Lanes<N> lanes,
                                    LaneVec3<T, N>& force) const {
-    const int from = i0 + cloth.force_offset;
-    lanes.each([&](int l) WEFT_LANE { force.set(l, force.get(l) + load(sim.force, from + l)); });
+    const int from = i0 + shift_to(Part::forces, cloth);
+    lanes.each([&](int l)
+                   WEFT_LANE { force.set(l, force.get(l) + load(sim.forces.force, from + l)); });
   }
 
   /// The stage that turns forces into positions. Returns whether any particle of this call ended

@@ -28,7 +28,8 @@ constexpr struct {
 struct Sums {
   uint64_t edges = 0;
   uint64_t in_hubs = 0;  ///< of the directed springs
-  uint64_t particles = 0, springs = 0, forced = 0, dragged = 0, damped_springs = 0, pinned = 0;
+  uint64_t particles = 0, springs = 0, dragged = 0, damped_springs = 0, pinned = 0;
+  uint64_t with_part[part_count] = {};
   uint64_t blown = 0;    ///< particles
   double triangles = 0;  ///< corners of triangles, with the padding of sliced rows
   int64_t entries = 0;
@@ -43,7 +44,9 @@ Sums sum_of(const WorldShape& world, KernelKind kind) {
     s.in_hubs += c.hub_springs;
     s.entries += c.row_entries - static_cast<int64_t>(c.hub_springs);
     s.edges += c.edges;
-    if (c.constant_forces) s.forced += c.particles;
+    for (int k = 0; k < part_count; ++k) {
+      if (c.has(static_cast<Part>(k))) s.with_part[k] += c.particles;
+    }
     if (c.drag) s.dragged += c.particles;
     if (c.spring_damping) s.damped_springs += c.directed_springs;
     if (c.triangles) {
@@ -65,8 +68,8 @@ const char* name_of(Accumulation a) { return to_string(static_cast<Accumulate>(a
 
 /// The springs of hubs: evaluated where the cloth gathers, added where it scatters.
 void add_hub_pass(const WorldShape& world, Plan& plan) {
-  if (world.hub_chunks() == 0) return;
-  const double scalar = world.precision == Precision::float64 ? 8 : 4;
+  if (counts_of(world).hub_chunks == 0) return;
+  const auto scalar = static_cast<double>(world.scalar());
   double springs = 0, bytes = 0, flops = 0;
   for (const ClothShape& c : world.cloths) {
     const auto of_cloth = static_cast<double>(c.hub_springs);
@@ -84,7 +87,7 @@ void add_hub_pass(const WorldShape& world, Plan& plan) {
 /// What comes before the advance passes where cloths scatter or have vertices of very many springs.
 /// Of the pass "springs", `count` is springs and the rest is per spring.
 void add_spring_passes(const WorldShape& world, Plan& plan) {
-  const double scalar = world.precision == Precision::float64 ? 8 : 4;
+  const auto scalar = static_cast<double>(world.scalar());
   Sums s;
   for (const KernelKind kind : {KernelKind::scatter_grid, KernelKind::scatter_mesh}) {
     const Sums of = sum_of(world, kind);
@@ -123,7 +126,7 @@ void add_spring_passes(const WorldShape& world, Plan& plan) {
 
 Pass advance_pass(const WorldShape& world, KernelKind kind) {
   const Sums s = sum_of(world, kind);
-  const double scalar = world.precision == Precision::float64 ? 8 : 4;
+  const auto scalar = static_cast<double>(world.scalar());
   const auto n = static_cast<double>(s.particles > 0 ? s.particles : 1);
   double bytes = (world.position_form ? 9 : 12) * scalar + scalar;  // x, d, x', d'; inverse mass
   if (is_grid(kind)) {
@@ -147,20 +150,25 @@ Pass advance_pass(const WorldShape& world, KernelKind kind) {
     flops += spring_damping_flops * static_cast<double>(s.damped_springs) / n;
   }
   flops += drag_flops * static_cast<double>(s.dragged) / n;
-  flops += 3 * static_cast<double>(s.forced) / n + pin_flops * static_cast<double>(s.pinned) / n;
+  flops += pin_flops * static_cast<double>(s.pinned) / n;
   for (int k = 0; k < collider_shapes; ++k) flops += shapes[k].flops * world.colliders[k];
-  if (world.all_colliders() > 0) flops += region_flops;
+  if (counts_of(world).all_colliders > 0) flops += region_flops;
   if (s.blown > 0) {
     flops += wind_flops * s.triangles / n;
     if (!is_grid(kind)) bytes += 8 * s.triangles / n;
   }
-  bytes += 3 * scalar * static_cast<double>(s.forced) / n;
   bytes += (6 * scalar + 4) * static_cast<double>(s.pinned) / n;
 
   std::string name = kernel_name(kind);
   name += world.precision == Precision::float64 ? "_float64" : "_float32";
   if (world.position_form) name += " position";
-  if (s.forced > 0) name += " +forces";
+  for (int k = 0; k < part_count; ++k) {
+    if (s.with_part[k] == 0) continue;
+    const PartCost& part = world.parts[k];
+    name += std::string(" +") + part.name;
+    bytes += part.bytes * static_cast<double>(s.with_part[k]) / n;
+    flops += part.flops * static_cast<double>(s.with_part[k]) / n;
+  }
   if (s.blown > 0) name += " +wind";
   if (s.damped_springs > 0) name += " +spring_damping";
   if (s.dragged > 0) name += " +drag";
@@ -173,7 +181,7 @@ Pass advance_pass(const WorldShape& world, KernelKind kind) {
 
 /// Passes over all particles, whatever their kind.
 void add_other_passes(const WorldShape& world, Plan& plan) {
-  const double scalar = world.precision == Precision::float64 ? 8 : 4;
+  const auto scalar = static_cast<double>(world.scalar());
   uint64_t particles = 0;
   double corners = 0;
   for (const ClothShape& c : world.cloths) {
@@ -181,7 +189,7 @@ void add_other_passes(const WorldShape& world, Plan& plan) {
     if (c.triangles) corners += is_grid(c.kind) ? 6.0 * c.particles : double(c.triangle_entries);
   }
   if (particles == 0) return;
-  if (world.all_colliders() > 0) {
+  if (counts_of(world).all_colliders > 0) {
     const Pass reach{"reach",
                      "frame",
                      "near_colliders_of_blocks",

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "plan/effects.h"
+#include "plan/shape.h"
 
 namespace weft::plan {
 

@@ -2,7 +2,7 @@
 // be the nearest one to a point in the cell.
 #pragma once
 
-#include "base/vec3.h"
+#include "base/view.h"
 
 namespace weft {
 
@@ -36,6 +36,10 @@ constexpr int32_t brick_edge = 2;
 /// Pieces of half a thickness that the way of a fast particle through the grid is walked in, at
 /// most: cooking refuses a thickness for which that would not do.
 constexpr int32_t most_sweep_pieces = 1 << 20;
+struct GridCounts {
+  int64_t brick_words, cells, entries, triangles;
+  int64_t with_sides;  ///< of the triangles
+};
 template <class T>
 struct TriangleGrid {
   Vec3<T> low;  ///< corner of cell 0
@@ -49,6 +53,17 @@ struct TriangleGrid {
   const TrianglePlanes<T>* planes;
   const TriangleCorners<T>* corners;
   const TriangleSides<T>* sides;  ///< null unless closed
+
+  template <class Arrays>
+  constexpr void arrays(Arrays& array, const GridCounts& n) {
+    array.later(low, cell_size, inverse_cell_size, cells, thickness, closed);
+    array(cell_start, n.cells);
+    array(entry_triangle, n.entries);
+    array(planes, n.triangles);
+    array(corners, n.triangles);
+    array(sides, n.with_sides);
+    array(occupied, n.brick_words);
+  }
 };
 
 /// What one particle remembers of its last full search: the triangles of the list with the least

@@ -3,6 +3,7 @@
 
 #include "base/view.h"
 #include "state/collider_mesh.h"
+#include "state/counts.h"
 
 namespace weft {
 
@@ -87,6 +88,23 @@ struct Colliders {
   int turns;            ///< columns
   const int32_t* near;  ///< lists of ClothActivity: index among those of a shape
   const ReachOfCollider<T>* reach;  ///< of the entries of `near`
+
+  template <class Arrays>
+  constexpr void arrays(Arrays& array, const Counts& n) {
+    const auto of = [&n](ColliderShape shape) {
+      return n.cloths * n.colliders[static_cast<int>(shape)];
+    };
+    array(spheres, of(ColliderShape::sphere));
+    array(planes, of(ColliderShape::plane));
+    array(capsules, of(ColliderShape::capsule));
+    array(cylinders, of(ColliderShape::cylinder));
+    array(boxes, of(ColliderShape::box));
+    array(meshes, of(ColliderShape::mesh));
+    array(turn, n.turns * (n.substeps + 1));
+    array.number(turns, n.turns);
+    array(near, n.cloths * n.all_colliders);
+    array(reach, n.cloths * n.all_colliders);
+  }
 };
 
 }  // namespace weft

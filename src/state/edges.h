@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/view.h"
+#include "state/counts.h"
 
 namespace weft {
 
@@ -51,6 +52,31 @@ struct Edges {
   // Of kernels/measured:
   unsigned long long* largest;  ///< fixed8: bits of the largest force of a spring, as double
   double full_scale;            ///< fixed8: in largest spring forces
+
+  template <class Arrays>
+  constexpr void arrays(Arrays& array, const Counts& n) {
+    const auto mode = static_cast<Accumulation>(n.accumulation);
+    const bool in_order = !uses_atomics(mode), whole = mode == Accumulation::fixed64;
+    const int64_t particles = n.scatter_slices * block_size;
+    array.number(blocks, n.edges / block_size);
+    array(cloth, n.edges / block_size);
+    array(a, n.edges);
+    array(b, n.edges);
+    array(rest, n.edges);
+    array(stiffness, n.edges);
+    array(force, in_order ? n.edges : 0);
+    array(damping, n.damped_edges && mode == Accumulation::native ? n.edges : 0);
+    array(start, in_order && particles > 0 ? n.scatter_slices + 1 : 0);
+    array(incident, n.incident);
+    array.number(first_block, n.first_scatter_block);
+    array.number(particle_blocks, n.scatter_slices);
+    array.number(accumulation, mode);
+    array(total, whole || mode == Accumulation::native ? 0 : particles);
+    array(fixed, whole ? 3 * particles : 0);
+    array(overflow, whole && particles > 0 ? 1 : 0);
+    array(largest, mode == Accumulation::fixed8 && particles > 0 ? 1 : 0);
+    array.number(full_scale, n.full_scale);
+  }
 };
 
 constexpr unsigned long long no_overflow = ~0ull;

@@ -26,21 +26,28 @@ struct ClothParams {
   T spring_damping;            ///< N s/m
   int drag_model;              ///< state/step.h, Drag
   int starting;                ///< 1: the start pass is its first
-  int force_offset;            ///< element of the first force minus `first`; no_forces: none
   int in_wind;                 ///< it has triangles and there is wind
   T fixed_scale, fixed_limit;  ///< fixed64: units of 1 N; most units of one spring
   T half_scale;                ///< float16: what forces are multiplied by, a power of two
   int axial[4];  ///< grids: presence bits of the neighbours +column, +row, -column, -row
   int collider_first[collider_shapes], collider_count[collider_shapes];
+  int part[part_count];  ///< by Part: element of its first entry minus `first`; no_part: it has
+                         ///< none
+  T part_number[part_count];  ///< by Part: what it says (api/arena/parts.h)
 };
 
-constexpr int no_forces = INT32_MIN;
+constexpr int no_part = INT32_MIN;
 
 /// Per block: which cloth it belongs to, and what is special about it.
 struct Blocks {
   const int32_t* cloth;  ///< index into the cloth parameters
   const uint8_t* inner;  ///< grids: 1 where every particle has every neighbour
-  const int32_t* pins;   ///< index of its block of moving pins, or -1; null without any
+
+  template <class Arrays>
+  constexpr void arrays(Arrays& array, const Counts& n) {
+    array(cloth, n.particles / block_size);
+    array(inner, n.grid_particles / block_size);
+  }
 };
 
 }  // namespace weft

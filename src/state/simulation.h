@@ -4,6 +4,7 @@
 #include "state/activity.h"
 #include "state/colliders.h"
 #include "state/edges.h"
+#include "state/forces.h"
 #include "state/particles.h"
 #include "state/pins.h"
 #include "state/springs.h"
@@ -39,7 +40,7 @@ struct Simulation {
   Blocks block;
   const uint16_t* presence;  ///< grids: bit k = neighbour k exists; read in border blocks only
   const T* inverse_mass;     ///< 0: pinned, or padding
-  Vec3Array<T> force;        ///< constant forces of the cloths that have any
+  Forces<T> forces;
   SlicedRows<T> rows;
   Hubs<T> hubs;
   Edges<T> edges;
@@ -54,10 +55,43 @@ struct Simulation {
   MovingPins<T> pins;
   BlockRange ranges[most_block_ranges];
   int range_count;
-  bool windy;  ///< some cloth is in wind
+  bool windy;        ///< some cloth is in wind
+  bool places_pins;  ///< the pass at hand does; a GPU's last one alone
 
   Vec3Array<T> x[3];  ///< x[0] now; x[1] next; x[2]: only in the position form
   Vec3Array<T> d[2];  ///< summed form: d[0] now, d[1] next; equal where no spring reads velocities
+
+  /// Every array of the device memory, with its count: what has none of it is a null view.
+  template <class Arrays>
+  constexpr void arrays(Arrays& array, const Counts& n) {
+    const int64_t particles = n.particles;
+    array(x[0], particles, n.guard);
+    array(x[1], particles, n.guard);
+    array(x[2], n.position_form ? particles : 0, n.guard);
+    array(d[0], n.position_form ? 0 : particles, n.guard);
+    array(d[1], !n.position_form && n.reads_velocities ? particles : 0, n.guard);
+    if (!n.reads_velocities) d[1] = d[0];
+    array(inverse_mass, particles);
+    array.group(block, n);
+    array(cloths, n.cloths);
+    array(presence, n.grid_particles);
+    array.group(rows, n);
+    array.group(edges, n);
+    array.group(hubs, n);
+    array.group(forces, n);
+    array.group(triangles, n);
+    array(activity, n.uses_activity ? n.cloths : 0);
+    array.group(colliders, n);
+    array(reach, n.collides ? particles / block_size : 0);
+    array(near_memory, n.meets_meshes ? particles : 0);
+    array.group(pins, n);
+    array(survey_ranges, n.survey_groups);
+    array(survey, n.survey_groups);
+    array.number(survey_count, n.survey_groups);
+    array.number(blocks, particles / block_size);
+    array.number(places_pins, n.pin_blocks > 0);
+    array.later(ranges, range_count, windy);
+  }
 };
 
 }  // namespace weft

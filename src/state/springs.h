@@ -10,6 +10,7 @@
 #pragma once
 
 #include "base/vec3.h"
+#include "state/counts.h"
 
 namespace weft {
 
@@ -20,6 +21,15 @@ struct SlicedRows {
   const T* rest;             ///< m
   const T* stiffness;        ///< N/m; null where the cloth has one for all
   int first_block;           ///< block of slice 0
+
+  template <class Arrays>
+  constexpr void arrays(Arrays& array, const Counts& n) {
+    array(start, n.row_slices > 0 ? n.row_slices + 1 : 0);
+    array(neighbour, n.row_entries);
+    array(rest, n.row_entries);
+    array(stiffness, n.own_stiffness > 0 ? n.row_entries : 0);
+    array.number(first_block, n.first_row_block);
+  }
 };
 
 /// A vertex with more than hub_valence springs, and its chunks.
@@ -42,6 +52,17 @@ struct Hubs {
   Vec3<T>* force;    ///< by chunk
   Vec3<T>* damping;  ///< by chunk; null where no spring is damped
   int count, chunks;
+
+  template <class Arrays>
+  constexpr void arrays(Arrays& array, const Counts& n) {
+    array(of_block, n.hubs > 0 ? n.particles / block_size : 0);
+    array(hub, n.hubs);
+    array(chunk, n.hub_chunks);
+    array(force, n.hub_chunks);
+    array(damping, n.damped_hubs ? n.hub_chunks : 0);
+    array.number(count, n.hubs);
+    array.number(chunks, n.hub_chunks);
+  }
 };
 
 }  // namespace weft

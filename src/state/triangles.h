@@ -5,7 +5,7 @@
 // area.
 #pragma once
 
-#include "base/portability.h"
+#include "state/counts.h"
 
 namespace weft {
 
@@ -13,6 +13,14 @@ struct TriangleRows {
   const int64_t* start;        ///< per slice and one more: first entry
   const int32_t *next, *last;  ///< elements: the triangle is (particle, next, last)
   int first_block;             ///< block of slice 0
+
+  template <class Arrays>
+  constexpr void arrays(Arrays& array, const Counts& n) {
+    array(start, n.fan_slices > 0 ? n.fan_slices + 1 : 0);
+    array(next, n.corners);
+    array(last, n.corners);
+    array.number(first_block, n.first_mesh_block);
+  }
 };
 
 }  // namespace weft

@@ -118,7 +118,7 @@ void advance(const Team& team, const Simulation<T>& sim, const ParticleBuffers<T
     const bool collide = moves && sim.reach != nullptr && sim.activity != nullptr;
     const bool meshes = collide && sim.near_memory != nullptr;
     Simulation<T> first = sim;
-    if (collide) first.block.pins = nullptr;  // the last pass places them
+    if (collide) first.places_pins = false;  // the last pass places them
     if (sim.windy) {
       advance_ranges<in_wind>(team, first, p, step);
     } else {

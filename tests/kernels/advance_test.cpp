@@ -41,7 +41,7 @@ struct TwoBlocks {
     cloth.drag = 0.02f;
     cloth.drag_model = int(Drag::central);
     cloth.spring_damping = 0.01f;
-    cloth.force_offset = no_forces;
+    for (int& part : cloth.part) part = no_part;
     cloth.in_wind = 1;
     const int axial[4] = {1 << 6, 1 << 8, 1 << 5, 1 << 3};  // east, north, west, south in Seed12
     for (int k = 0; k < 4; ++k) cloth.axial[k] = axial[k];

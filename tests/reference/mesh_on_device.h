@@ -4,6 +4,7 @@
 #include "reference/brute_mesh.h"
 
 #include "api/arena/collider_mesh_arrays.h"
+#include "plan/cutter.h"
 
 namespace reference {
 
@@ -26,26 +27,27 @@ template <class T>
 class MeshOnDevice {
  public:
   explicit MeshOnDevice(const weft::scene::CookedColliderMesh& cooked) {
-    const auto sizes = weft::api::array_sizes<T>(cooked);
-    char* to[weft::api::mesh_arrays];
-    const char* at[weft::api::mesh_arrays];
-    for (size_t a = 0; a < weft::api::mesh_arrays; ++a) {
-      lines_[a].resize(sizes.bytes[a] / sizeof(Line) + 1);
-      at[a] = to[a] = lines_[a].data()->bytes;
-    }
-    weft::api::write_arrays<T>(cooked, to);
-    grid = weft::api::grid_of<T>(cooked, at);
+    const weft::GridCounts counts = weft::api::grid_counts(cooked);
+    lines_.resize(cut(nullptr, counts) / sizeof(Line));
+    cut(lines_.data()->bytes, counts);
+    weft::api::fill_grid(cooked, grid);
+    weft::api::set_numbers(cooked, grid);
   }
   MeshOnDevice(const MeshOnDevice&) = delete;
   MeshOnDevice& operator=(const MeshOnDevice&) = delete;
 
-  weft::TriangleGrid<T> grid;
+  weft::TriangleGrid<T> grid{};
 
  private:
-  struct alignas(64) Line {
-    char bytes[64];
+  struct alignas(128) Line {
+    char bytes[128];
   };
-  std::vector<Line> lines_[weft::api::mesh_arrays];
+  size_t cut(char* base, const weft::GridCounts& counts) {
+    weft::plan::Cutter cutter(base, 1);
+    cutter.group(grid, counts);
+    return cutter.bytes();
+  }
+  std::vector<Line> lines_;
 };
 
 }  // namespace reference

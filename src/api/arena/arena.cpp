@@ -4,8 +4,8 @@
 #include <cstring>
 
 #include "api/arena/fill.h"
-#include "api/arena/arena_views.h"
 #include "api/arena/collider_inputs.h"
+#include "api/arena/parts.h"
 #include "api/arena/pin_inputs.h"
 #include "api/arena/survey.h"
 
@@ -22,37 +22,21 @@ class ArenaOf final : public Arena {
 
   Status build(const ArenaInput& in, double dt_before, double time, Workers workers) override {
     release();
-    plan_ = plan::compile_plan(in.shape);
-    layout_ = plan::lay_out(in.shape, step());
-    Status status = allocate();
+    Status status = allocate(plan::device_bytes(in.shape, stride()));
     if (status != Status::ok) return status;
-    sim_ = views_of<T>(layout_, plan_, in.shape, memory_);
-    before_ = {nullptr, 0};
-    if (layout_.before.offset != plan::absent) {
-      before_ = {at<T>(layout_.before.offset), layout_.before.pitch};
+    device_ = plan::cut<T>(in.shape, stride(), memory_);
+    sim_ = device_.sim;
+    set_ranges(plan::compile_plan(in.shape));
+    const std::vector<ClothCounts> places = plan::places_of(in.shape);
+    for (size_t c = 0; c < in.cloths.size(); ++c) {
+      in.cloths[c]->place = places[c];
+      in.cloths[c]->settling = substeps_to_settle;
+      in.cloths[c]->parts_changed = 0;
     }
-
-    std::vector<char> mirror;  // where the device is not the host's own memory
-    char* image = memory_;
-    if (!backend_.info().host_memory) {
-      mirror.resize(layout_.bytes);
-      image = mirror.data();
-    } else {
-      std::memset(memory_, 0, layout_.bytes);
-    }
-    fill_image<T>(in, layout_, step(), dt_before, time, image);
-    fill_survey_ranges(in, layout_, image);
-    colliders_.prepare(in, layout_, image);
-    pins_.prepare(in, layout_, image);
-    if (!mirror.empty()) status = backend_.to_device(memory_, image, layout_.bytes);
+    status = fill(in, dt_before, time);
     if (status != Status::ok) return status;
-
     params_.resize(in.cloths.size());
-    found_.resize(in.shape.survey_groups());
-    for (ClothRecord* cloth : in.cloths) {
-      cloth->settling = substeps_to_settle;
-      cloth->forces_changed = false;
-    }
+    found_.resize(static_cast<size_t>(places.back().survey_groups));
     status = upload_params(in);
     if (status != Status::ok) return status;
     Frame<T> frame = make_frame(in, {1, dt_before, dt_before, time, workers});
@@ -62,7 +46,7 @@ class ArenaOf final : public Arena {
     if (any && in.world->start != Start::lagged) {
       status = backend_.start(frame);
       sim_ = frame.sim;
-      sim_.activity = views_of<T>(layout_, plan_, in.shape, memory_).activity;
+      sim_.activity = device_.sim.activity;
       if (status != Status::ok) return status;
     }
     status = backend_.survey(frame);
@@ -70,11 +54,11 @@ class ArenaOf final : public Arena {
   }
 
   Status frame(const ArenaInput& in, const FrameInput& input) override {
-    Status status = colliders_.upload(in, input, layout_, memory_);
-    if (status == Status::ok) status = pins_.upload(in, input, layout_, memory_);
-    if (status == Status::ok) status = upload_forces(in);
+    Status status = colliders_.upload(in, input, device_);
+    if (status == Status::ok) status = pins_.upload(in, input, device_.sim.pins);
+    if (status == Status::ok) status = upload_parts(in);
     if (status != Status::ok) return status;
-    if (before_.data) status = remember_positions();
+    if (device_.before.data) status = remember_positions();
     if (status != Status::ok) return status;
     Frame<T> frame = make_frame(in, input);
     frame.by_block = colliders_.by_block();
@@ -118,9 +102,9 @@ class ArenaOf final : public Arena {
         fetch(which == StateArray::acceleration || which == StateArray::normal ? sim_.x[1]
               : which == StateArray::displacement && !position_form_           ? sim_.d[0]
                                                                                : sim_.x[0],
-              cloth.first, vertices, now);
+              cloth.first(), vertices, now);
     if (status == Status::ok && difference)
-      status = fetch(sim_.x[2], cloth.first, vertices, before);
+      status = fetch(sim_.x[2], cloth.first(), vertices, before);
     if (status != Status::ok) return status;
     for (uint32_t v = 0; v < vertices; ++v) {
       const uint32_t s = cloth.cooked().storage(v);
@@ -136,7 +120,7 @@ class ArenaOf final : public Arena {
     VertexJob<T> job{};
     job.vertices = static_cast<int>(fabric.render_vertices());
     job.storage = fabric.render_storage();
-    job.alpha = static_cast<T>(before_.data ? target.alpha : 1);
+    job.alpha = static_cast<T>(device_.before.data ? target.alpha : 1);
     job.shift = {target.shift.x, target.shift.y, target.shift.z};
     job.last = target.last;
     job.out_position = target.position;
@@ -145,7 +129,7 @@ class ArenaOf final : public Arena {
     std::vector<T> mirrors[3];
     Status status = on_host(sim_.x[0], cloth, mirrors[0], job.now);
     if (status == Status::ok && job.alpha != T(1)) {
-      status = on_host(before_, cloth, mirrors[1], job.before);
+      status = on_host(device_.before, cloth, mirrors[1], job.before);
     }
     if (status == Status::ok && target.normal.format != VertexFormat::none) {
       status = on_host(sim_.x[1], cloth, mirrors[2], job.normal);
@@ -157,9 +141,9 @@ class ArenaOf final : public Arena {
     std::vector<Vec3<T>> values;
     for (ClothRecord* cloth : in.cloths) {
       if (!cloth->moved) continue;
-      if (before_.data) {
+      if (device_.before.data) {
         const size_t vertices = cloth->cooked().vertices;
-        const Status status = fetch(before_, cloth->first, vertices, values);
+        const Status status = fetch(device_.before, cloth->first(), vertices, values);
         if (status != Status::ok) return status;
         cloth->saved_before.assign(vertices, {0, 0, 0});
         for (size_t i = 0; i < vertices; ++i) {
@@ -168,7 +152,7 @@ class ArenaOf final : public Arena {
       }
       for (const bool position : {true, false}) {
         const Vec3Array<T> from = position ? sim_.x[0] : position_form_ ? sim_.x[2] : sim_.d[0];
-        const Status status = fetch(from, cloth->first, cloth->cooked().vertices, values);
+        const Status status = fetch(from, cloth->first(), cloth->cooked().vertices, values);
         if (status != Status::ok) return status;
         std::vector<double3>& to = position ? cloth->saved_x : cloth->saved_d;
         to.resize(values.size());
@@ -180,58 +164,76 @@ class ArenaOf final : public Arena {
 
   Status force_overflow(ForceOverflow& found) override {
     found = {};
-    if (layout_.edges.overflow == plan::absent) return Status::ok;
+    const Edges<T>& edges = device_.sim.edges;
+    if (!edges.overflow) return Status::ok;
     unsigned long long key = no_overflow;
-    Status status =
-        backend_.to_host(&key, at<unsigned long long>(layout_.edges.overflow), sizeof key);
+    Status status = backend_.to_host(&key, edges.overflow, sizeof key);
     if (status != Status::ok || key == no_overflow) return status;
     found.happened = true;
     found.substep = static_cast<int>(key >> 32);
     const auto e = static_cast<size_t>(key & 0xffffffffu);
     T stiffness{}, rest{};
-    status = backend_.to_host(&found.a, at<int32_t>(layout_.edges.a) + e, sizeof found.a);
+    status = backend_.to_host(&found.a, edges.a + e, sizeof found.a);
+    if (status == Status::ok) status = backend_.to_host(&found.b, edges.b + e, sizeof found.b);
     if (status == Status::ok) {
-      status = backend_.to_host(&found.b, at<int32_t>(layout_.edges.b) + e, sizeof found.b);
+      status = backend_.to_host(&stiffness, edges.stiffness + e, sizeof stiffness);
     }
-    if (status == Status::ok) {
-      status = backend_.to_host(&stiffness, at<T>(layout_.edges.stiffness) + e, sizeof stiffness);
-    }
-    if (status == Status::ok) {
-      status = backend_.to_host(&rest, at<T>(layout_.edges.rest) + e, sizeof rest);
-    }
+    if (status == Status::ok) status = backend_.to_host(&rest, edges.rest + e, sizeof rest);
     found.stiffness = static_cast<double>(stiffness);
     found.rest = static_cast<double>(rest);
     return status;
   }
 
-  uint64_t bytes() const override { return layout_.bytes; }
+  uint64_t bytes() const override { return device_.bytes; }
 
  private:
-  int step() const { return backend_.info().particle_step; }
-  template <class E>
-  E* at(size_t offset) const {
-    return reinterpret_cast<E*>(memory_ + offset);
-  }
+  int stride() const { return backend_.info().particle_step; }
 
-  Status allocate() {
-    memory_ = static_cast<char*>(backend_.allocate(context_.memory.hooks(), layout_.bytes));
+  Status allocate(size_t bytes) {
+    bytes = std::max<size_t>(bytes, 1);  // a world may be empty
+    memory_ = static_cast<char*>(backend_.allocate(context_.memory.hooks(), bytes));
     if (!memory_) {
-      const size_t wanted = layout_.bytes;
-      layout_.bytes = 0;
       return context_.fail(
           Status::out_of_memory,
-          text("no %zu bytes of device memory (the scene needs them) make it smaller", wanted));
+          text("no %zu bytes of device memory (the scene needs them) make it smaller", bytes));
     }
-    if (!backend_.info().host_memory)
-      context_.memory.count(static_cast<std::ptrdiff_t>(layout_.bytes));
+    allocated_ = bytes;
+    if (!backend_.info().host_memory) context_.memory.count(static_cast<std::ptrdiff_t>(bytes));
     return Status::ok;
   }
   void release() {
     if (!memory_) return;
-    backend_.release(context_.memory.hooks(), memory_, layout_.bytes);
+    backend_.release(context_.memory.hooks(), memory_, allocated_);
     if (!backend_.info().host_memory)
-      context_.memory.count(-static_cast<std::ptrdiff_t>(layout_.bytes));
+      context_.memory.count(-static_cast<std::ptrdiff_t>(allocated_));
     memory_ = nullptr;
+    device_ = {};
+  }
+
+  void set_ranges(const plan::Plan& plan) {
+    for (const BlockRange& range : plan.ranges) sim_.ranges[sim_.range_count++] = range;
+  }
+
+  /// Writes the state of the records to the device, through an image where the host cannot reach
+  /// it.
+  Status fill(const ArenaInput& in, double dt_before, double time) {
+    if (backend_.info().host_memory) {
+      std::memset(memory_, 0, allocated_);
+      fill_at(in, dt_before, time, device_);
+      return Status::ok;
+    }
+    std::vector<char> memory(allocated_ + 128);
+    void* base = memory.data();
+    size_t room = memory.size();
+    char* image = static_cast<char*>(std::align(128, allocated_, base, room));
+    plan::DeviceArrays<T> arrays = plan::cut<T>(in.shape, stride(), image);
+    fill_at(in, dt_before, time, arrays);
+    return backend_.to_device(memory_, image, allocated_);
+  }
+  void fill_at(const ArenaInput& in, double dt_before, double time, plan::DeviceArrays<T>& image) {
+    fill_image<T>(in, stride(), dt_before, time, image);
+    colliders_.prepare(in, image);
+    pins_.prepare(in, image.sim.pins);
   }
 
   Frame<T> make_frame(const ArenaInput& in, const FrameInput& input) {
@@ -261,8 +263,9 @@ class ArenaOf final : public Arena {
   }
 
   Status read_survey(const ArenaInput& in) {
-    const Status status = backend_.to_host(found_.data(), at<Survey<T>>(layout_.survey),
-                                           found_.size() * sizeof(Survey<T>));
+    if (found_.empty()) return Status::ok;
+    const Status status =
+        backend_.to_host(found_.data(), sim_.survey, found_.size() * sizeof(Survey<T>));
     if (status == Status::ok) take_survey(in, found_);
     return status;
   }
@@ -270,14 +273,14 @@ class ArenaOf final : public Arena {
   /// The positions before a frame, for outputs that lie between it and the next.
   Status remember_positions() {
     const auto elements = static_cast<size_t>(sim_.blocks) * block_size;
-    if (step() > 1) {
-      return backend_.copy(before_.data, sim_.x[0].data,
-                           elements * static_cast<size_t>(step()) * sizeof(T));
+    if (stride() > 1) {
+      return backend_.copy(device_.before.data, sim_.x[0].data,
+                           elements * static_cast<size_t>(stride()) * sizeof(T));
     }
     Status status = Status::ok;
     for (size_t c = 0; c < 3 && status == Status::ok; ++c) {
-      status = backend_.copy(before_.data + c * before_.pitch, sim_.x[0].data + c * sim_.x[0].pitch,
-                             elements * sizeof(T));
+      status = backend_.copy(device_.before.data + c * device_.before.pitch,
+                             sim_.x[0].data + c * sim_.x[0].pitch, elements * sizeof(T));
     }
     return status;
   }
@@ -286,35 +289,50 @@ class ArenaOf final : public Arena {
   Status on_host(const Vec3Array<T>& from, const ClothRecord& cloth, std::vector<T>& mirror,
                  Vec3Array<T>& out) {
     if (backend_.info().host_memory) {
-      out = {from.data + int64_t(cloth.first) * step(), from.pitch};
+      out = {from.data + int64_t(cloth.first()) * stride(), from.pitch};
       return Status::ok;
     }
     std::vector<Vec3<T>> values;
     const size_t count = cloth.cooked().vertices;
-    const Status status = fetch(from, cloth.first, count, values);
+    const Status status = fetch(from, cloth.first(), count, values);
     if (status != Status::ok) return status;
     out = arranged(values, static_cast<size_t>(context_.host().info().particle_step), mirror);
     return Status::ok;
   }
 
-  /// Forces that have changed, into room that is there already.
-  Status upload_forces(const ArenaInput& in) {
-    int first = 0;
+  /// Parts that have changed, into room that is there already.
+  Status upload_parts(const ArenaInput& in) {
     for (ClothRecord* cloth : in.cloths) {
-      if (cloth->forces.empty()) continue;
-      const int elements =
-          static_cast<int>((cloth->cooked().vertices + block_size - 1) / block_size) * block_size;
-      if (cloth->forces_changed) {
-        std::vector<Vec3<T>> values(size_t(elements), Vec3<T>{0, 0, 0});
-        for (const VertexForce& f : cloth->forces) {
-          values[cloth->cooked().storage(f.vertex)] = narrow<T>(f.force);
-        }
-        if (const Status status = put(sim_.force, first, values); status != Status::ok) {
-          return status;
-        }
-        cloth->forces_changed = false;
-      }
-      first += elements;
+      if (cloth->parts_changed == 0) continue;
+      Status status = Status::ok;
+      Parts::each([&](auto part) {
+        const bool changed = (cloth->parts_changed >> index_of(part.part) & 1u) != 0;
+        if (changed && part.used(*cloth) && status == Status::ok) status = upload(part, *cloth);
+      });
+      if (status != Status::ok) return status;
+      cloth->parts_changed = 0;
+    }
+    return Status::ok;
+  }
+  template <class ThePart>
+  Status upload(ThePart part, const ClothRecord& cloth) {
+    const int64_t elements = int64_t(slices_of(cloth)) * block_size;
+    const Counts counts = counts_with(part.part, elements);
+    const auto cut = [&](char* base, Simulation<T>& image) {
+      plan::Cutter cutter(base, static_cast<size_t>(stride()));
+      cutter.group(part.arrays(image), counts);
+      return cutter.bytes();
+    };
+    Simulation<T> image{};
+    std::vector<char> memory(cut(nullptr, image));
+    cut(memory.data(), image);
+    part.fill(cloth, 0, stride(), part.arrays(image));
+    const auto from = pieces_of(part, image, 0, elements, stride());
+    const auto to =
+        pieces_of(part, sim_, cloth.place.part[index_of(part.part)], elements, stride());
+    for (size_t k = 0; k < from.size(); ++k) {
+      const Status status = backend_.to_device(to[k].at, from[k].at, from[k].bytes);
+      if (status != Status::ok) return status;
     }
     return Status::ok;
   }
@@ -324,7 +342,8 @@ class ArenaOf final : public Arena {
     position_form_ = in.world->form == Form::position;
     fill_params(in, params_);
     sim_.windy = std::any_of(params_.begin(), params_.end(), [](auto& p) { return p.in_wind; });
-    return backend_.to_device(at<ClothParams<T>>(layout_.cloths), params_.data(),
+    if (params_.empty()) return Status::ok;
+    return backend_.to_device(writable(sim_.cloths), params_.data(),
                               params_.size() * sizeof(ClothParams<T>));
   }
 
@@ -332,7 +351,7 @@ class ArenaOf final : public Arena {
   Status fetch(const Vec3Array<T>& from, int first, size_t count, std::vector<Vec3<T>>& out) {
     out.resize(count);
     if (count == 0) return Status::ok;
-    const size_t step = static_cast<size_t>(this->step());
+    const auto step = static_cast<size_t>(stride());
     std::vector<T> line((count - 1) * step + 1);
     for (size_t c = 0; c < 3; ++c) {
       const Status status = backend_.to_host(
@@ -344,30 +363,12 @@ class ArenaOf final : public Arena {
     return Status::ok;
   }
 
-  /// Writes elements from `first` on of an array of vectors.
-  Status put(const Vec3Array<T>& to, int first, const std::vector<Vec3<T>>& values) {
-    const size_t step = static_cast<size_t>(this->step());
-    std::vector<T> line(values.size() * step);
-    T* at = to.data + size_t(first) * step;
-    for (size_t c = 0; c < 3; ++c) {
-      T Vec3<T>::*const member = c == 0 ? &Vec3<T>::x : c == 1 ? &Vec3<T>::y : &Vec3<T>::z;
-      for (size_t i = 0; i < values.size(); ++i)
-        line[i * step + c * to.pitch % step] = values[i].*member;
-      if (step > 1 && c < 2) continue;  // x, y and z lie together
-      const Status status = backend_.to_device(step > 1 ? at : at + c * to.pitch, line.data(),
-                                               line.size() * sizeof(T));
-      if (status != Status::ok) return status;
-    }
-    return Status::ok;
-  }
-
   ContextState& context_;
   const Backend& backend_;
-  plan::Plan plan_;
-  plan::Layout layout_;
   char* memory_ = nullptr;
-  Simulation<T> sim_{};
-  Vec3Array<T> before_{nullptr, 0};  ///< null: this world does not interpolate
+  size_t allocated_ = 0;
+  plan::DeviceArrays<T> device_;  ///< as they were cut
+  Simulation<T> sim_{};           ///< as the last frame left them: which buffer holds the present
   bool position_form_ = false;
 
   std::vector<ClothParams<T>> params_;

@@ -1,5 +1,5 @@
-// The device memory of a world: cut by the plan's layout, filled from the records, advanced by the
-// back end. One class per precision behind one interface.
+// The device memory of a world: cut by the plan (plan/cutter.h), filled from the records, advanced
+// by the back end. One class per precision behind one interface.
 #pragma once
 
 #include <memory>
@@ -8,7 +8,6 @@
 #include "api/records/cloth.h"
 #include "api/records/collider.h"
 #include "api/context/context_state.h"
-#include "plan/layout.h"
 #include "plan/plan.h"
 #include "step/backend.h"
 
@@ -27,8 +26,8 @@ struct ArenaInput {
 
 /// Kernel that a cloth is advanced by.
 KernelKind kind_of(const ClothRecord&);
-/// And its numbers for the plan.
-plan::ClothShape shape_of(const ClothRecord&);
+/// And its numbers for the plan; `fans`: with the triangles around its vertices.
+plan::ClothShape shape_of(const ClothRecord&, Accumulation, bool fans);
 
 struct FrameInput {
   int substeps;
@@ -57,8 +56,8 @@ struct ForceOverflow {
 class Arena {
  public:
   virtual ~Arena() = default;
-  /// Fills and uploads; runs the start pass of cloths that have not moved, and surveys. `time`: of
-  /// the world.
+  /// Gives the records their places, fills and uploads; runs the start pass of cloths that have not
+  /// moved, and surveys. `time`: of the world.
   virtual Status build(const ArenaInput&, double dt_before, double time, Workers) = 0;
   /// Copies the state of every moved cloth to its record.
   virtual Status save(const ArenaInput&) = 0;

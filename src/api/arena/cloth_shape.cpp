@@ -2,7 +2,9 @@
 #include <algorithm>
 
 #include "api/arena/arena.h"
+#include "api/arena/parts.h"
 #include "scene/edges.h"
+#include "scene/fan.h"
 #include "scene/grid.h"
 
 namespace weft::api {
@@ -28,13 +30,13 @@ static uint32_t blocks_of_moving_pins(const ClothRecord& cloth) {
   return static_cast<uint32_t>(blocks.size());
 }
 
-plan::ClothShape shape_of(const ClothRecord& cloth) {
+plan::ClothShape shape_of(const ClothRecord& cloth, Accumulation accumulation, bool fans) {
   const scene::CookedFabric& fabric = cloth.cooked();
   plan::ClothShape shape{};
   shape.kind = kind_of(cloth);
   shape.particles = fabric.vertices;
   shape.directed_springs = 2 * fabric.springs;
-  shape.constant_forces = !cloth.forces.empty();
+  shape.parts = parts_of(cloth);
   shape.drag = cloth.drag > 0;
   shape.spring_damping = cloth.spring_damping > 0;
   shape.sleeps = cloth.sleep_speed > 0;
@@ -50,12 +52,18 @@ plan::ClothShape shape_of(const ClothRecord& cloth) {
     const int columns = fabric.grid.rows > 1 ? static_cast<int>(fabric.grid.columns) : 0;
     shape.guard = reach * columns + reach;
   }
+  if (fans) shape.triangle_entries = scene::fan_entries(fabric);
+  shape.moving_pin_blocks = blocks_of_moving_pins(cloth);
+  shape.motions = static_cast<uint32_t>(cloth.motions.size());
+  if (cloth.scatters && uses_atomics(accumulation)) {  // which need no rows
+    shape.row_entries = 0;
+    return shape;
+  }
   shape.hubs = static_cast<uint32_t>(fabric.hubs.size());
   for (const scene::HubRow& hub : fabric.hubs) {
     shape.hub_springs += hub.count;
     shape.hub_chunks += (hub.count + hub_chunk - 1) / hub_chunk;
   }
-  shape.moving_pin_blocks = blocks_of_moving_pins(cloth);
   return shape;
 }
 

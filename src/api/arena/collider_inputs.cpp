@@ -2,67 +2,65 @@
 
 #include <algorithm>
 
-#include "api/arena/fill.h"
+#include "api/arena/image.h"
 #include "api/arena/collider_mesh_arrays.h"
+#include "api/context/vector_math.h"
 
 namespace weft::api {
 
 namespace {
 
-char* address(char* base, size_t offset) {
-  return offset == plan::absent ? nullptr : base + offset;
-}
-
 double3 box_low(const double3& a, double by) { return {a.x - by, a.y - by, a.z - by}; }
 double3 box_high(const double3& a, double by) { return {a.x + by, a.y + by, a.z + by}; }
 
 /// What goes to the device, and where.
-struct Part {
-  size_t offset;
-  const void* data;
+struct Upload {
+  const void* to;
+  const void* from;
   size_t bytes;
 };
-template <class Values>
-Part part(size_t offset, const Values& values, size_t count) {
-  return {offset, values.data(), count * sizeof(typename Values::value_type)};
+template <class Element>
+Upload upload_of(const Element* to, const std::vector<Element>& from, size_t count) {
+  return {to, from.data(), count * sizeof(Element)};
+}
+template <class Element>
+Upload upload_of(const Element* to, const std::vector<Element>& from) {
+  return upload_of(to, from, from.size());
 }
 
 }  // namespace
 
 template <class T>
-void ColliderInputs<T>::prepare(const ArenaInput& in, const plan::Layout& layout, char* image) {
-  const size_t cloths = in.cloths.size(), colliders = in.shape.all_colliders();
-  const auto staged = [&](ColliderShape shape) { return cloths * in.shape.colliders_of(shape); };
+void ColliderInputs<T>::prepare(const ArenaInput& in, const plan::DeviceArrays<T>& image) {
+  const Counts counts = plan::counts_of(in.shape);
+  const size_t cloths = in.cloths.size(), colliders = size_t(counts.all_colliders);
+  const auto staged = [&](ColliderShape shape) { return cloths * in.shape.colliders[int(shape)]; };
   spheres_.resize(staged(ColliderShape::sphere));
   planes_.resize(staged(ColliderShape::plane));
   capsules_.resize(staged(ColliderShape::capsule));
   cylinders_.resize(staged(ColliderShape::cylinder));
   boxes_.resize(staged(ColliderShape::box));
   meshes_.resize(staged(ColliderShape::mesh));
-  entries_.clear();
-  entries_.reserve(colliders);
+  followed_.clear();
+  followed_.reserve(colliders);
   near_.resize(cloths * colliders);
   near_reach_.resize(near_.size());
-  activity_.assign(layout.activity == plan::absent ? 0 : cloths, ClothActivity<T>{});
+  activity_.assign(counts.uses_activity ? cloths : 0, ClothActivity<T>{});
   columns_ = in.shape.turning_colliders;
   turns_.resize(columns_ > 0 ? columns_ * (size_t(in.shape.substeps) + 1) : 0);
-  for (size_t m = 0; m < in.meshes.size(); ++m) {
-    char* to[mesh_arrays];
-    for (int a = 0; a < mesh_arrays; ++a) to[a] = address(image, layout.meshes[m].of[a]);
-    write_arrays<T>(*in.meshes[m], to);
-  }
+  for (size_t m = 0; m < in.meshes.size(); ++m) fill_grid(*in.meshes[m], image.meshes[m]);
 }
 
 /// Where everything goes in this frame.
 template <class T>
 void ColliderInputs<T>::follow(const ArenaInput& in, const FrameInput& input) {
-  entries_.clear();
+  followed_.clear();
   int32_t column = 0;
   for (int shape = 0; shape < collider_shapes; ++shape) {
     for (const ColliderRecord& c : *in.colliders) {
       if (!c.id || static_cast<int>(c.shape) != shape) continue;
       const ColliderPath path = path_of(c, input.time, input.substeps * input.dt);
-      entries_.push_back({&c, path, reach_of(c, path), path.turns ? column : -1});
+      followed_.push_back({&c, path, reach_of(c, path), path.turns ? column : -1});
       if (c.can_turn) ++column;
     }
   }
@@ -70,7 +68,7 @@ void ColliderInputs<T>::follow(const ArenaInput& in, const FrameInput& input) {
 
 template <class T>
 void ColliderInputs<T>::stage_turns(const FrameInput& input) {
-  for (const Entry& e : entries_) {
+  for (const Followed& e : followed_) {
     if (e.turn < 0) continue;
     for (int s = 0; s <= input.substeps; ++s) {
       double3 rows[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
@@ -82,7 +80,7 @@ void ColliderInputs<T>::stage_turns(const FrameInput& input) {
 }
 
 template <class T>
-Surface<T> ColliderInputs<T>::surface_of(const Entry& e, const double3& origin) const {
+Surface<T> ColliderInputs<T>::surface_of(const Followed& e, const double3& origin) const {
   return {narrow<T>(e.path.velocity), static_cast<T>(e.record->friction),
           static_cast<T>(e.record->sweep), e.turn,
           narrow<T>(minus(e.path.begin.translate, origin))};
@@ -90,7 +88,7 @@ Surface<T> ColliderInputs<T>::surface_of(const Entry& e, const double3& origin) 
 
 /// One collider in the frame of a cloth; next[shape]: where the next of a shape goes.
 template <class T>
-void ColliderInputs<T>::stage(const Entry& e, const double3& origin, size_t* next) {
+void ColliderInputs<T>::stage(const Followed& e, const double3& origin, size_t* next) {
   const ColliderRecord& c = *e.record;
   const Placed& placed = e.path.begin;
   const auto along = [&](const double3& v) { return narrow<T>(rotate(placed.rows, v)); };
@@ -143,7 +141,7 @@ size_t ColliderInputs<T>::find_near(const ClothRecord& cloth, double margin, siz
   size_t next = first, seen[collider_shapes] = {};
   for (int shape = 0; shape < collider_shapes; ++shape) {
     activity.near_first[shape] = static_cast<int>(next);
-    for (const Entry& e : entries_) {
+    for (const Followed& e : followed_) {
       if (static_cast<int>(e.record->shape) != shape) continue;
       const size_t index = seen[shape]++;
       if (!overlaps(low, high, e.reach)) continue;
@@ -172,7 +170,7 @@ void ColliderInputs<T>::stage_activity(const ClothRecord& cloth, const FrameInpu
   activity.asleep = cloth.asleep ? 1 : 0;
   activity.settling = cloth.settling;
   activity.nearness = Nearness::every;
-  if (entries_.empty()) return;
+  if (followed_.empty()) return;
   const double time = input.substeps * input.dt;
   const double size = length(minus(cloth.high, cloth.low));
   const double margin =
@@ -188,7 +186,7 @@ void ColliderInputs<T>::stage_activity(const ClothRecord& cloth, const FrameInpu
 
 template <class T>
 Status ColliderInputs<T>::upload(const ArenaInput& in, const FrameInput& input,
-                                 const plan::Layout& layout, char* base) {
+                                 const plan::DeviceArrays<T>& device) {
   by_block_ = false;
   if (activity_.empty()) return Status::ok;
   follow(in, input);
@@ -196,31 +194,27 @@ Status ColliderInputs<T>::upload(const ArenaInput& in, const FrameInput& input,
   size_t next[collider_shapes] = {};
   const double gravity = length(in.world->gravity);
   for (size_t c = 0; c < in.cloths.size(); ++c) {
-    for (const Entry& e : entries_) stage(e, in.cloths[c]->origin, next);
-    stage_activity(*in.cloths[c], input, gravity, c * entries_.size(), activity_[c]);
+    for (const Followed& e : followed_) stage(e, in.cloths[c]->origin, next);
+    stage_activity(*in.cloths[c], input, gravity, c * followed_.size(), activity_[c]);
   }
   for (size_t i = 0, of = 0; i < meshes_.size(); ++i, ++of) {
     if (of == in.mesh_of_collider.size()) of = 0;
     const size_t m = in.mesh_of_collider[of];
-    const char* at[mesh_arrays];
-    for (int a = 0; a < mesh_arrays; ++a) at[a] = address(base, layout.meshes[m].of[a]);
-    meshes_[i].grid = grid_of<T>(*in.meshes[m], at);
+    meshes_[i].grid = device.meshes[m];
+    set_numbers(*in.meshes[m], meshes_[i].grid);
   }
 
-  const Part parts[] = {
-      part(layout.colliders[0], spheres_, spheres_.size()),
-      part(layout.colliders[1], planes_, planes_.size()),
-      part(layout.colliders[2], capsules_, capsules_.size()),
-      part(layout.colliders[3], cylinders_, cylinders_.size()),
-      part(layout.colliders[4], boxes_, boxes_.size()),
-      part(layout.colliders[5], meshes_, meshes_.size()),
-      part(layout.turn, turns_, columns_ > 0 ? columns_ * (size_t(input.substeps) + 1) : 0),
-      part(layout.near, near_, near_.size()),
-      part(layout.near_reach, near_reach_, near_reach_.size()),
-      part(layout.activity, activity_, activity_.size())};
-  for (const auto& p : parts) {
-    if (p.bytes == 0) continue;
-    const Status status = backend_.to_device(base + p.offset, p.data, p.bytes);
+  const Colliders<T>& to = device.sim.colliders;
+  const size_t turns = columns_ > 0 ? columns_ * (size_t(input.substeps) + 1) : 0;
+  const Upload uploads[] = {
+      upload_of(to.spheres, spheres_),   upload_of(to.planes, planes_),
+      upload_of(to.capsules, capsules_), upload_of(to.cylinders, cylinders_),
+      upload_of(to.boxes, boxes_),       upload_of(to.meshes, meshes_),
+      upload_of(to.turn, turns_, turns), upload_of(to.near, near_),
+      upload_of(to.reach, near_reach_),  upload_of(device.sim.activity, activity_)};
+  for (const Upload& u : uploads) {
+    if (u.bytes == 0) continue;
+    const Status status = backend_.to_device(const_cast<void*>(u.to), u.from, u.bytes);
     if (status != Status::ok) return status;
   }
   return Status::ok;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "api/arena/arena.h"
+#include "plan/device_arrays.h"
 
 namespace weft::api {
 
@@ -11,14 +12,14 @@ class ColliderInputs {
   explicit ColliderInputs(const Backend& backend) : backend_(backend) {}
 
   /// Sizes the staging and writes what never changes to the image.
-  void prepare(const ArenaInput&, const plan::Layout&, char* image);
-  /// Uploads the inputs of one frame to device memory at `base`.
-  Status upload(const ArenaInput&, const FrameInput&, const plan::Layout&, char* base);
+  void prepare(const ArenaInput&, const plan::DeviceArrays<T>& image);
+  /// Uploads the inputs of one frame.
+  Status upload(const ArenaInput&, const FrameInput&, const plan::DeviceArrays<T>& device);
   /// Whether any cloth's blocks have lists of their own in the frame uploaded last.
   bool by_block() const { return by_block_; }
 
  private:
-  struct Entry {
+  struct Followed {
     const ColliderRecord* record;
     ColliderPath path;
     WorldReach reach;
@@ -27,14 +28,14 @@ class ColliderInputs {
 
   void follow(const ArenaInput&, const FrameInput&);
   void stage_turns(const FrameInput&);
-  Surface<T> surface_of(const Entry&, const double3& origin) const;
-  void stage(const Entry&, const double3& origin, size_t* next);
+  Surface<T> surface_of(const Followed&, const double3& origin) const;
+  void stage(const Followed&, const double3& origin, size_t* next);
   void stage_activity(const ClothRecord&, const FrameInput&, double gravity, size_t first_near,
                       ClothActivity<T>&);
   size_t find_near(const ClothRecord&, double margin, size_t first, ClothActivity<T>&);
 
   const Backend& backend_;
-  std::vector<Entry> entries_;  ///< by shape, then by slot: the order in which they are met
+  std::vector<Followed> followed_;  ///< by shape, then by slot: the order in which they are met
   std::vector<Sphere<T>> spheres_;
   std::vector<Plane<T>> planes_;
   std::vector<Capsule<T>> capsules_;

@@ -2,6 +2,7 @@
 
 #include "api/arena/collider_mesh_arrays.h"
 #include "api/context/context_state.h"
+#include "plan/cutter.h"
 
 namespace weft {
 inline namespace v0 {
@@ -25,9 +26,10 @@ uint64_t ColliderMesh::triangle_count() const noexcept {
 
 uint64_t ColliderMesh::bytes() const noexcept {
   if (!impl_) return 0;
-  uint64_t sum = 0;
-  for (const size_t bytes : api::array_sizes<float>(impl_->cooked).bytes) sum += bytes;
-  return sum;
+  TriangleGrid<float> grid{};
+  plan::ArrayBytes bytes;
+  grid.arrays(bytes, api::grid_counts(impl_->cooked));
+  return bytes.bytes();
 }
 
 View<Diagnostic> ColliderMesh::diagnostics() const noexcept {

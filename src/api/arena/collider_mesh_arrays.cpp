@@ -2,13 +2,15 @@
 
 #include <algorithm>
 
+#include "api/arena/image.h"
+
 namespace weft::api {
 
 namespace {
 
 template <class T, class From>
-void narrow(const scene::Array<From>& from, char* to) {
-  T* out = reinterpret_cast<T*>(to);
+void narrow(const scene::Array<From>& from, const void* to) {
+  T* out = static_cast<T*>(const_cast<void*>(to));
   for (size_t i = 0; i < from.size(); ++i) out[i] = static_cast<T>(from[i]);
 }
 
@@ -37,52 +39,39 @@ void mark_bricks(const scene::CookedColliderMesh& m, uint32_t* words) {
 
 }  // namespace
 
+GridCounts grid_counts(const scene::CookedColliderMesh& m) {
+  const auto count = [](size_t n) { return static_cast<int64_t>(n); };
+  const int64_t triangles = count(m.planes.size() / 16);
+  return {count(brick_words(m)), count(m.cell_start.size()), count(m.entry_triangle.size()),
+          triangles, m.closed ? triangles : 0};
+}
+
 template <class T>
-MeshArraySizes array_sizes(const scene::CookedColliderMesh& m) {
+void fill_grid(const scene::CookedColliderMesh& m, const TriangleGrid<T>& image) {
   static_assert(sizeof(TrianglePlanes<T>) == 16 * sizeof(T));
   static_assert(sizeof(TriangleCorners<T>) == 9 * sizeof(T));
   static_assert(sizeof(TriangleSides<T>) == 18 * sizeof(T));
-  return {{m.cell_start.size() * sizeof(int32_t), m.entry_triangle.size() * sizeof(int32_t),
-           m.planes.size() * sizeof(T), m.corners.size() * sizeof(T), m.sides.size() * sizeof(T),
-           brick_words(m) * sizeof(uint32_t)}};
+  narrow<int32_t>(m.cell_start, image.cell_start);
+  narrow<int32_t>(m.entry_triangle, image.entry_triangle);
+  narrow<T>(m.planes, image.planes);
+  narrow<T>(m.corners, image.corners);
+  if (m.closed) narrow<T>(m.sides, image.sides);
+  mark_bricks(m, writable(image.occupied));
 }
 
 template <class T>
-void write_arrays(const scene::CookedColliderMesh& m, char* const (&destinations)[mesh_arrays]) {
-  narrow<int32_t>(m.cell_start, destinations[0]);
-  narrow<int32_t>(m.entry_triangle, destinations[1]);
-  narrow<T>(m.planes, destinations[2]);
-  narrow<T>(m.corners, destinations[3]);
-  narrow<T>(m.sides, destinations[4]);
-  mark_bricks(m, reinterpret_cast<uint32_t*>(destinations[5]));
-}
-
-template <class T>
-TriangleGrid<T> grid_of(const scene::CookedColliderMesh& m,
-                        const char* const (&addresses)[mesh_arrays]) {
-  TriangleGrid<T> grid{};
+void set_numbers(const scene::CookedColliderMesh& m, TriangleGrid<T>& grid) {
   grid.low = {T(m.grid_low.x), T(m.grid_low.y), T(m.grid_low.z)};
   grid.cell_size = T(m.cell_size);
   grid.inverse_cell_size = T(1 / m.cell_size);
   for (int axis = 0; axis < 3; ++axis) grid.cells[axis] = m.cells[axis];
   grid.thickness = T(m.thickness);
   grid.closed = m.closed ? 1 : 0;
-  grid.cell_start = reinterpret_cast<const int32_t*>(addresses[0]);
-  grid.entry_triangle = reinterpret_cast<const int32_t*>(addresses[1]);
-  grid.planes = reinterpret_cast<const TrianglePlanes<T>*>(addresses[2]);
-  grid.corners = reinterpret_cast<const TriangleCorners<T>*>(addresses[3]);
-  grid.occupied = reinterpret_cast<const uint32_t*>(addresses[5]);
-  if (m.closed) grid.sides = reinterpret_cast<const TriangleSides<T>*>(addresses[4]);
-  return grid;
 }
 
-template MeshArraySizes array_sizes<float>(const scene::CookedColliderMesh&);
-template MeshArraySizes array_sizes<double>(const scene::CookedColliderMesh&);
-template void write_arrays<float>(const scene::CookedColliderMesh&, char* const (&)[mesh_arrays]);
-template void write_arrays<double>(const scene::CookedColliderMesh&, char* const (&)[mesh_arrays]);
-template TriangleGrid<float> grid_of(const scene::CookedColliderMesh&,
-                                     const char* const (&)[mesh_arrays]);
-template TriangleGrid<double> grid_of(const scene::CookedColliderMesh&,
-                                      const char* const (&)[mesh_arrays]);
+template void fill_grid(const scene::CookedColliderMesh&, const TriangleGrid<float>&);
+template void fill_grid(const scene::CookedColliderMesh&, const TriangleGrid<double>&);
+template void set_numbers(const scene::CookedColliderMesh&, TriangleGrid<float>&);
+template void set_numbers(const scene::CookedColliderMesh&, TriangleGrid<double>&);
 
 }  // namespace weft::api

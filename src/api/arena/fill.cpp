@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "api/arena/parts.h"
+#include "api/context/vector_math.h"
 #include "api/records/evaluation.h"
 #include "api/arena/spring_fill.h"
 #include "scene/fan.h"
@@ -33,52 +35,46 @@ double3 start_offset(const ClothRecord& cloth, uint32_t v, double time) {
 template <class T>
 class ImageFiller {
  public:
-  ImageFiller(const ArenaInput& in, const plan::Layout& layout, int step, char* image)
-      : in_(in), layout_(layout), step_(step), image_(image), springs_(in, layout, image) {}
+  ImageFiller(const ArenaInput& in, int vector_stride, plan::DeviceArrays<T>& image)
+      : in_(in), stride_(vector_stride), image_(image), sim_(image.sim), springs_(in, image.sim) {}
 
   void fill(double dt_before, double time) {
-    for (size_t c = 0; c < in_.cloths.size(); ++c) {
-      ClothRecord& cloth = *in_.cloths[c];
-      cloth.params = static_cast<int>(c);
-      cloth.first = next_;
-      for (int b = 0; b < slices_of(cloth); ++b) {
-        array<int32_t>(layout_.block_cloth)[next_ / block_size + b] = cloth.params;
+    for (const ClothRecord* cloth : in_.cloths) {
+      std::fill_n(writable(sim_.block.cloth) + cloth->first() / block_size, slices_of(*cloth),
+                  static_cast<int32_t>(cloth->place.cloths));
+      fill_state(*cloth, dt_before, time);
+      if (cloth->cooked().is_grid) {
+        fill_presence(*cloth);
+      } else if (sim_.triangles.start) {
+        fill_fans(*cloth);
       }
-      fill_state(cloth, dt_before, time);
-      if (cloth.cooked().is_grid) {
-        fill_presence(cloth);
-      } else if (layout_.triangle_start != plan::absent) {
-        fill_fans(cloth);
-      }
-      springs_.fill(cloth);
-      fill_forces(cloth);
-      if (!cloth.cooked().is_grid) slice_ += slices_of(cloth);
-      next_ += slices_of(cloth) * block_size;
+      springs_.fill(*cloth);
+      fill_survey_ranges(*cloth);
+      Parts::each([&](auto part) {
+        if (!part.used(*cloth)) return;
+        part.fill(*cloth, cloth->place.part[index_of(part.part)], stride_, part.arrays(sim_));
+      });
     }
   }
 
  private:
-  template <class E>
-  E* array(size_t offset) const {
-    return reinterpret_cast<E*>(image_ + offset);
-  }
-  VectorWriter<T> vectors(const plan::VectorArray& a) const { return {a, step_, image_}; }
+  VectorWriter<T> vectors(const Vec3Array<T>& array) const { return {array, stride_}; }
 
   void fill_state(const ClothRecord& cloth, double dt_before, double time) {
     const bool position_form = in_.world->form == Form::position;
-    const VectorWriter<T> x = vectors(layout_.x[0]);
-    const bool kept = layout_.before.offset != plan::absent;
-    const VectorWriter<T> before = vectors(kept ? layout_.before : layout_.x[0]);
-    const VectorWriter<T> d = vectors(position_form ? layout_.x[2] : layout_.d[0]);
-    T* w = array<T>(layout_.inverse_mass);
+    const bool kept = image_.before.data != nullptr;
+    const VectorWriter<T> x = vectors(sim_.x[0]), before = vectors(image_.before);
+    const VectorWriter<T> d = vectors(position_form ? sim_.x[2] : sim_.d[0]);
+    T* w = writable(sim_.inverse_mass);
     const uint32_t vertices = cloth.cooked().vertices;
     for (uint32_t v = 0; v < vertices; ++v) {
-      const int64_t i = cloth.first + int64_t(cloth.cooked().storage(v));
+      const auto own = static_cast<size_t>(cloth.cooked().storage(v));
+      const int64_t i = cloth.first() + static_cast<int64_t>(own);
       w[i] = cloth.pin_of(v) ? T(0) : static_cast<T>(1 / cloth.cooked().mass_of(v));
       if (cloth.moved) {
-        x.set(i, narrow<T>(cloth.saved_x[size_t(i - cloth.first)]));
-        d.set(i, narrow<T>(cloth.saved_d[size_t(i - cloth.first)]));
-        if (kept) before.set(i, narrow<T>(cloth.saved_before[size_t(i - cloth.first)]));
+        x.set(i, narrow<T>(cloth.saved_x[own]));
+        d.set(i, narrow<T>(cloth.saved_d[own]));
+        if (kept) before.set(i, narrow<T>(cloth.saved_before[own]));
         continue;
       }
       const double3 at =
@@ -96,8 +92,8 @@ class ImageFiller {
     const scene::StencilTable& table = scene::stencil_table(grid.stencil);
     const int reach = scene::stencil_reach(grid.stencil);
     const auto all = static_cast<uint16_t>((1u << table.count) - 1);
-    uint16_t* presence = array<uint16_t>(layout_.presence) + cloth.first;
-    uint8_t* inner = array<uint8_t>(layout_.block_inner) + cloth.first / block_size;
+    uint16_t* presence = writable(sim_.presence) + cloth.first();
+    uint8_t* inner = writable(sim_.block.inner) + cloth.first() / block_size;
     const int blocks = slices_of(cloth);
     for (int b = 0; b < blocks; ++b) inner[b] = 1;
     uint32_t v = 0;
@@ -124,50 +120,47 @@ class ImageFiller {
 
   void fill_fans(const ClothRecord& cloth) {
     const scene::Fans fans = scene::build_fans(cloth.cooked());
-    int64_t* start = array<int64_t>(layout_.triangle_start) + slice_;
-    for (size_t s = 0; s < fans.slice_start.size(); ++s) start[s] = corner_ + fans.slice_start[s];
-    int32_t* next = array<int32_t>(layout_.triangle_next) + corner_;
-    int32_t* last = array<int32_t>(layout_.triangle_last) + corner_;
+    const int64_t corner = cloth.place.corners;
+    int64_t* start = writable(sim_.triangles.start) + cloth.place.fan_slices;
+    for (size_t s = 0; s < fans.slice_start.size(); ++s) start[s] = corner + fans.slice_start[s];
+    int32_t* next = writable(sim_.triangles.next) + corner;
+    int32_t* last = writable(sim_.triangles.last) + corner;
     for (size_t e = 0; e < fans.next.size(); ++e) {
-      next[e] = cloth.first + fans.next[e];
-      last[e] = cloth.first + fans.last[e];
+      next[e] = cloth.first() + fans.next[e];
+      last[e] = cloth.first() + fans.last[e];
     }
-    corner_ += static_cast<int64_t>(fans.next.size());
   }
 
-  void fill_forces(const ClothRecord& cloth) {
-    if (cloth.forces.empty()) return;
-    const VectorWriter<T> force = vectors(layout_.force);
-    for (const VertexForce& f : cloth.forces) {
-      force.set(forced_ + int64_t(cloth.cooked().storage(f.vertex)), narrow<T>(f.force));
+  /// Which particles each group of the survey looks at.
+  void fill_survey_ranges(const ClothRecord& cloth) {
+    SurveyRange* range = writable(sim_.survey_ranges) + cloth.place.survey_groups;
+    const int end = cloth.first() + static_cast<int>(cloth.cooked().vertices);
+    for (int first = cloth.first(); first < end; first += survey_blocks * block_size) {
+      *range++ = {first, std::min(end, first + survey_blocks * block_size)};
     }
-    forced_ += slices_of(cloth) * block_size;
   }
 
   const ArenaInput& in_;
-  const plan::Layout& layout_;
-  int step_;
-  char* image_;
+  int stride_;
+  plan::DeviceArrays<T>& image_;
+  Simulation<T>& sim_;
   SpringFiller<T> springs_;
-  int next_ = 0, slice_ = 0, forced_ = 0;
-  int64_t corner_ = 0;
 };
 
 }  // namespace
 
 template <class T>
-void fill_image(const ArenaInput& in, const plan::Layout& layout, int particle_step,
-                double dt_before, double time, char* image) {
-  ImageFiller<T>(in, layout, particle_step, image).fill(dt_before, time);
+void fill_image(const ArenaInput& in, int vector_stride, double dt_before, double time,
+                plan::DeviceArrays<T>& image) {
+  ImageFiller<T>(in, vector_stride, image).fill(dt_before, time);
 }
 
 template <class T>
 void fill_params(const ArenaInput& in, std::vector<ClothParams<T>>& out) {
-  int forced = 0;
   for (size_t c = 0; c < in.cloths.size(); ++c) {
     const ClothRecord& cloth = *in.cloths[c];
     ClothParams<T> p{};
-    p.first = cloth.first;
+    p.first = cloth.first();
     if (cloth.cooked().is_grid) {
       fill_grid_constants(cloth.cooked(), p);
     } else {
@@ -184,8 +177,12 @@ void fill_params(const ArenaInput& in, std::vector<ClothParams<T>>& out) {
       p.fixed_limit = static_cast<T>(range.scale * range.limit);
       p.half_scale = static_cast<T>(half_scale(cloth));
     }
-    p.force_offset = cloth.forces.empty() ? no_forces : forced - cloth.first;
-    if (!cloth.forces.empty()) forced += slices_of(cloth) * block_size;
+    Parts::each([&](auto part) {
+      const int k = index_of(part.part);
+      const bool used = part.used(cloth);
+      p.part[k] = used ? static_cast<int>(cloth.place.part[k] - cloth.place.particles) : no_part;
+      p.part_number[k] = static_cast<T>(used ? part.number(cloth) : 0);
+    });
     p.in_wind = in.wind != nullptr && in.shape.cloths[c].triangles ? 1 : 0;
     for (int k = 0; k < collider_shapes; ++k) {
       p.collider_count[k] = static_cast<int>(in.shape.colliders[k]);
@@ -195,19 +192,8 @@ void fill_params(const ArenaInput& in, std::vector<ClothParams<T>>& out) {
   }
 }
 
-void fill_survey_ranges(const ArenaInput& in, const plan::Layout& layout, char* image) {
-  auto* range = reinterpret_cast<SurveyRange*>(image + layout.survey_ranges);
-  for (const ClothRecord* cloth : in.cloths) {
-    const int end = cloth->first + static_cast<int>(cloth->cooked().vertices);
-    for (int first = cloth->first; first < end; first += survey_blocks * block_size) {
-      *range++ = {first, std::min(end, first + survey_blocks * block_size)};
-    }
-  }
-}
-
-template void fill_image<float>(const ArenaInput&, const plan::Layout&, int, double, double, char*);
-template void fill_image<double>(const ArenaInput&, const plan::Layout&, int, double, double,
-                                 char*);
+template void fill_image(const ArenaInput&, int, double, double, plan::DeviceArrays<float>&);
+template void fill_image(const ArenaInput&, int, double, double, plan::DeviceArrays<double>&);
 template void fill_params(const ArenaInput&, std::vector<ClothParams<float>>&);
 template void fill_params(const ArenaInput&, std::vector<ClothParams<double>>&);
 

@@ -2,38 +2,41 @@
 
 #include <algorithm>
 
-#include "api/arena/fill.h"
+#include "api/arena/image.h"
+#include "api/context/vector_math.h"
 
 namespace weft::api {
 
 template <class T>
-size_t PinInputs<T>::vector_element(size_t slot, size_t component,
-                                    const plan::VectorArray& array) const {
-  return slot * static_cast<size_t>(backend_.info().particle_step) + component * array.pitch;
+size_t PinInputs<T>::vector_element(size_t slot, size_t component) const {
+  return slot * static_cast<size_t>(backend_.info().particle_step) + component * pitch_;
 }
 
 template <class T>
-void PinInputs<T>::prepare(const ArenaInput& in, const plan::Layout& layout, char* image) {
+void PinInputs<T>::prepare(const ArenaInput& in, const MovingPins<T>& image) {
   slots_.clear();
-  if (layout.block_pins == plan::absent) return;
-  auto* of_block = reinterpret_cast<int32_t*>(image + layout.block_pins);
-  std::fill_n(of_block, in.shape.blocks(), -1);
+  if (!image.of_block) return;
+  const Counts counts = plan::counts_of(in.shape);
+  int32_t* of_block = writable(image.of_block);
+  std::fill_n(of_block, counts.particles / block_size, -1);
   int next = 0;
   for (const ClothRecord* cloth : in.cloths) {
     for (size_t p = 0; p < cloth->pins.size(); ++p) {
       if (!cloth->pins[p].can_move) continue;
-      const int i = cloth->first + static_cast<int>(cloth->cooked().storage(cloth->pins[p].vertex));
+      const int i =
+          cloth->first() + static_cast<int>(cloth->cooked().storage(cloth->pins[p].vertex));
       int32_t& block = of_block[i / block_size];
       if (block < 0) block = next++;
       slots_.push_back({cloth, p, static_cast<size_t>(block * block_size + i % block_size)});
     }
   }
+  motions_ = static_cast<size_t>(counts.motions);
   const size_t elements = static_cast<size_t>(next) * block_size;
-  array_ = layout.pin_base;
+  pitch_ = image.base.pitch;
   motion_.assign(elements, -1);
-  base_.assign(vector_element(elements - 1, 2, array_) + 1, T(0));
+  base_.assign(vector_element(elements - 1, 2) + 1, T(0));
   glide_.assign(base_.size(), T(0));
-  offsets_.resize(size_t(in.shape.motions) * in.shape.substeps);
+  offsets_.resize(static_cast<size_t>(counts.motions * counts.substeps));
 }
 
 template <class T>
@@ -44,10 +47,11 @@ void PinInputs<T>::stage_pins() {
     const Vec3<T> by = narrow<T>(pin.gliding ? minus(pin.target, pin.base) : double3{0, 0, 0});
     const T base[3] = {at.x, at.y, at.z}, glide[3] = {by.x, by.y, by.z};
     for (size_t c = 0; c < 3; ++c) {
-      base_[vector_element(s.slot, c, array_)] = base[c];
-      glide_[vector_element(s.slot, c, array_)] = glide[c];
+      base_[vector_element(s.slot, c)] = base[c];
+      glide_[vector_element(s.slot, c)] = glide[c];
     }
-    motion_[s.slot] = pin.motion < 0 ? 0 : s.cloth->motion_first + pin.motion;
+    motion_[s.slot] =
+        pin.motion < 0 ? 0 : static_cast<int32_t>(s.cloth->place.motions) + pin.motion;
   }
 }
 
@@ -55,12 +59,12 @@ void PinInputs<T>::stage_pins() {
 template <class T>
 void PinInputs<T>::stage_motions(const ArenaInput& in, const FrameInput& input) {
   for (int k = 0; k < input.substeps; ++k) {
-    Vec3<T>* row = offsets_.data() + size_t(k) * in.shape.motions;
+    Vec3<T>* row = offsets_.data() + size_t(k) * motions_;
     row[0] = {T(0), T(0), T(0)};
     const double time = input.time + (k + 1) * input.dt;
     for (const ClothRecord* cloth : in.cloths) {
       for (size_t m = 0; m < cloth->motions.size(); ++m) {
-        row[size_t(cloth->motion_first) + m] = narrow<T>(motion_offset(cloth->motions[m], time));
+        row[size_t(cloth->place.motions) + m] = narrow<T>(motion_offset(cloth->motions[m], time));
       }
     }
   }
@@ -68,23 +72,22 @@ void PinInputs<T>::stage_motions(const ArenaInput& in, const FrameInput& input) 
 
 template <class T>
 Status PinInputs<T>::upload(const ArenaInput& in, const FrameInput& input,
-                            const plan::Layout& layout, char* base) {
+                            const MovingPins<T>& device) {
   if (slots_.empty()) return Status::ok;
   stage_pins();
   stage_motions(in, input);
   const struct {
-    size_t offset;
+    const void* to;
     const void* from;
     size_t bytes;
-  } parts[] = {
-      {layout.pin_base.offset, base_.data(), base_.size() * sizeof(T)},
-      {layout.pin_glide.offset, glide_.data(), glide_.size() * sizeof(T)},
-      {layout.pin_motion, motion_.data(), motion_.size() * sizeof(int32_t)},
-      {layout.pin_offset, offsets_.data(),
-       size_t(input.substeps) * in.shape.motions * sizeof(Vec3<T>)},
+  } uploads[] = {
+      {device.base.data, base_.data(), base_.size() * sizeof(T)},
+      {device.glide.data, glide_.data(), glide_.size() * sizeof(T)},
+      {device.motion, motion_.data(), motion_.size() * sizeof(int32_t)},
+      {device.offset, offsets_.data(), size_t(input.substeps) * motions_ * sizeof(Vec3<T>)},
   };
-  for (const auto& part : parts) {
-    const Status status = backend_.to_device(base + part.offset, part.from, part.bytes);
+  for (const auto& u : uploads) {
+    const Status status = backend_.to_device(const_cast<void*>(u.to), u.from, u.bytes);
     if (status != Status::ok) return status;
   }
   return Status::ok;

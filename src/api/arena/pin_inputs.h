@@ -13,9 +13,9 @@ class PinInputs {
 
   /// Gives a slot to every pin that can move, names their blocks in the image, and sizes the
   /// staging.
-  void prepare(const ArenaInput&, const plan::Layout&, char* image);
-  /// Uploads the inputs of one frame to device memory at `base`.
-  Status upload(const ArenaInput&, const FrameInput&, const plan::Layout&, char* base);
+  void prepare(const ArenaInput&, const MovingPins<T>& image);
+  /// Uploads the inputs of one frame.
+  Status upload(const ArenaInput&, const FrameInput&, const MovingPins<T>& device);
 
  private:
   struct PinSlot {
@@ -26,14 +26,15 @@ class PinInputs {
 
   void stage_pins();
   void stage_motions(const ArenaInput&, const FrameInput&);
-  size_t vector_element(size_t slot, size_t component, const plan::VectorArray&) const;
+  size_t vector_element(size_t slot, size_t component) const;
 
   const Backend& backend_;
   std::vector<PinSlot> slots_;
   std::vector<int32_t> motion_;
-  std::vector<T> base_, glide_;   ///< arrays of vectors in the back end's layout
+  std::vector<T> base_, glide_;  ///< arrays of vectors in the back end's layout
+  size_t pitch_ = 0;             ///< of both
+  size_t motions_ = 0;
   std::vector<Vec3<T>> offsets_;  ///< [substep][motion]
-  plan::VectorArray array_;       ///< layout of base_ and glide_
 };
 
 }  // namespace weft::api

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "api/arena/image.h"
+#include "api/context/vector_math.h"
 #include "scene/grid.h"
 
 namespace weft::api {
@@ -45,12 +47,13 @@ void fill_grid_constants(const scene::CookedFabric& fabric, ClothParams<T>& p) {
 }
 
 template <class T>
-SpringFiller<T>::SpringFiller(const ArenaInput& in, const plan::Layout& layout, char* image)
-    : in_(in), layout_(layout), image_(image) {
-  if (int32_t* first = array<int32_t>(layout.hubs.of_block)) {
-    std::fill(first, first + in.shape.blocks(), static_cast<int32_t>(in.shape.hubs()));
+SpringFiller<T>::SpringFiller(const ArenaInput& in, Simulation<T>& image) : image_(image) {
+  const Counts counts = plan::counts_of(in.shape);
+  if (image.hubs.of_block) {
+    std::fill_n(writable(image.hubs.of_block), counts.particles / block_size,
+                static_cast<int32_t>(counts.hubs));
   }
-  if (auto* overflow = array<unsigned long long>(layout.edges.overflow)) *overflow = no_overflow;
+  if (image.edges.overflow) *image.edges.overflow = no_overflow;
 }
 
 template <class T>
@@ -90,28 +93,29 @@ T SpringFiller<T>::stiffness_of(const ClothRecord& cloth, uint64_t k) const {
 template <class T>
 void SpringFiller<T>::fill_entry(const ClothRecord& cloth, int64_t e, uint32_t v, uint64_t k) {
   const scene::CookedFabric& fabric = cloth.cooked();
-  array<int32_t>(layout_.neighbour)[e] =
-      cloth.first + static_cast<int32_t>(fabric.storage_of[fabric.rows.neighbour[k]]);
-  array<T>(layout_.rest)[e] = rest_of(cloth, v, k);
-  if (T* stiffness = array<T>(layout_.stiffness)) stiffness[e] = stiffness_of(cloth, k);
+  writable(image_.rows.neighbour)[e] =
+      cloth.first() + static_cast<int32_t>(fabric.storage_of[fabric.rows.neighbour[k]]);
+  writable(image_.rows.rest)[e] = rest_of(cloth, v, k);
+  if (image_.rows.stiffness) writable(image_.rows.stiffness)[e] = stiffness_of(cloth, k);
 }
 
 template <class T>
 void SpringFiller<T>::fill_rows(const ClothRecord& cloth) {
   const scene::CookedFabric& fabric = cloth.cooked();
   const scene::SpringRows& rows = fabric.rows;
-  int64_t* start = array<int64_t>(layout_.slice_start) + slice_;
-  int32_t* neighbour = array<int32_t>(layout_.neighbour);
+  const int64_t entry = cloth.place.row_entries;
+  int64_t* start = writable(image_.rows.start) + cloth.place.row_slices;
+  int32_t* neighbour = writable(image_.rows.neighbour);
   const int slices = slices_of(cloth);
-  for (int s = 0; s <= slices; ++s) start[s] = entry_ + fabric.slice_start[size_t(s)];
+  for (int s = 0; s <= slices; ++s) start[s] = entry + fabric.slice_start[size_t(s)];
   size_t hub = 0;
   for (int self = 0; self < slices * block_size; ++self) {
     const int slice = self / block_size;
     int64_t e = start[slice] + self % block_size, step = block_size, end = start[slice + 1];
     if (hub < fabric.hubs.size() && int(fabric.hubs[hub].storage) == self) {
-      for (; e < end; e += step) neighbour[e] = cloth.first + self;  // its row in the slice
+      for (; e < end; e += step) neighbour[e] = cloth.first() + self;  // its row in the slice
       const scene::HubRow& row = fabric.hubs[hub++];
-      e = entry_ + row.first;
+      e = entry + row.first;
       step = 1;
       end = e + (int64_t(row.count) + block_size - 1) / block_size * block_size;
     }
@@ -121,27 +125,27 @@ void SpringFiller<T>::fill_rows(const ClothRecord& cloth) {
         fill_entry(cloth, e, v, k);
       }
     }
-    for (; e < end; e += step) neighbour[e] = cloth.first + self;
+    for (; e < end; e += step) neighbour[e] = cloth.first() + self;
   }
-  fill_hubs(cloth, entry_);
-  slice_ += slices;
-  entry_ += fabric.row_entries;
+  fill_hubs(cloth, entry);
 }
 
 template <class T>
 void SpringFiller<T>::fill_hubs(const ClothRecord& cloth, int64_t first_entry) {
+  auto next_hub = static_cast<int32_t>(cloth.place.hubs);
+  auto next_chunk = static_cast<int32_t>(cloth.place.hub_chunks);
   for (const scene::HubRow& row : cloth.cooked().hubs) {
-    const int32_t particle = cloth.first + static_cast<int32_t>(row.storage);
-    int32_t& of_block = array<int32_t>(layout_.hubs.of_block)[particle / block_size];
-    of_block = std::min(of_block, hub_);
+    const int32_t particle = cloth.first() + static_cast<int32_t>(row.storage);
+    int32_t& of_block = writable(image_.hubs.of_block)[particle / block_size];
+    of_block = std::min(of_block, next_hub);
     const int64_t first = first_entry + row.first;
     const int64_t end = first + (int64_t(row.count) + block_size - 1) / block_size * block_size;
-    Hub& hub = array<Hub>(layout_.hubs.hub)[hub_++];
-    hub = {particle, chunk_, chunk_};
+    Hub& hub = writable(image_.hubs.hub)[next_hub++];
+    hub = {particle, next_chunk, next_chunk};
     for (int64_t e = first; e < end; e += hub_chunk) {
-      array<HubChunk>(layout_.hubs.chunk)[chunk_++] = {e, std::min(end, e + hub_chunk), particle};
+      writable(image_.hubs.chunk)[next_chunk++] = {e, std::min(end, e + hub_chunk), particle};
     }
-    hub.end_chunk = chunk_;
+    hub.end_chunk = next_chunk;
   }
 }
 
@@ -151,13 +155,14 @@ void SpringFiller<T>::fill_edges(const ClothRecord& cloth) {
   const scene::Edges table = scene::build_edges(fabric);
   ClothParams<T> grid{};
   if (fabric.is_grid) fill_grid_constants(fabric, grid);
-  int32_t* a = array<int32_t>(layout_.edges.a) + edge_;
-  int32_t* b = array<int32_t>(layout_.edges.b) + edge_;
-  T* rest = array<T>(layout_.edges.rest) + edge_;
-  T* stiffness = array<T>(layout_.edges.stiffness) + edge_;
+  const int64_t first = cloth.place.edges;
+  int32_t* a = writable(image_.edges.a) + first;
+  int32_t* b = writable(image_.edges.b) + first;
+  T* rest = writable(image_.edges.rest) + first;
+  T* stiffness = writable(image_.edges.stiffness) + first;
   const uint64_t room = scene::padded_edges(table.edges.size());
   for (size_t e = 0; e < room; ++e) {
-    a[e] = b[e] = cloth.first;
+    a[e] = b[e] = cloth.first();
     if (e >= table.edges.size()) continue;
     const scene::Edge& edge = table.edges[e];
     a[e] += static_cast<int32_t>(edge.a);
@@ -166,26 +171,24 @@ void SpringFiller<T>::fill_edges(const ClothRecord& cloth) {
                              : rest_of(cloth, fabric.caller_of[edge.a], edge.entry);
     stiffness[e] = fabric.is_grid ? grid.stiffness[edge.entry] : stiffness_of(cloth, edge.entry);
   }
-  int32_t* of_block = array<int32_t>(layout_.edges.cloth) + edge_ / block_size;
-  std::fill(of_block, of_block + room / block_size, cloth.params);
-  if (layout_.edges.incident != plan::absent) fill_incident(cloth, table);
-  edge_ += static_cast<int64_t>(room);
+  std::fill_n(writable(image_.edges.cloth) + first / block_size, room / block_size,
+              static_cast<int32_t>(cloth.place.cloths));
+  if (image_.edges.start) fill_incident(cloth, table);
 }
 
 template <class T>
 void SpringFiller<T>::fill_incident(const ClothRecord& cloth, const scene::Edges& table) {
   const int slices = slices_of(cloth);
-  int64_t* start = array<int64_t>(layout_.edges.start) + scatter_slice_;
-  for (int s = 0; s <= slices; ++s) start[s] = incident_ + table.slice_start[size_t(s)];
-  int32_t* incident = array<int32_t>(layout_.edges.incident) + incident_;
-  const auto shift = static_cast<int32_t>(edge_);
+  const int64_t first = cloth.place.incident;
+  int64_t* start = writable(image_.edges.start) + cloth.place.scatter_slices;
+  for (int s = 0; s <= slices; ++s) start[s] = first + table.slice_start[size_t(s)];
+  int32_t* incident = writable(image_.edges.incident) + first;
+  const auto shift = static_cast<int32_t>(cloth.place.edges);
   for (size_t e = 0; e < table.incident.size(); ++e) {
     const int32_t i = table.incident[e];
     incident[e] = i < 0 ? i - shift : i + shift;
   }
-  fill_hubs(cloth, incident_);
-  scatter_slice_ += slices;
-  incident_ += static_cast<int64_t>(table.incident.size());
+  fill_hubs(cloth, first);
 }
 
 template void fill_grid_constants(const scene::CookedFabric&, ClothParams<float>&);

@@ -3,7 +3,6 @@
 #pragma once
 
 #include "api/arena/arena.h"
-#include "api/arena/fill.h"
 #include "scene/edges.h"
 
 namespace weft::api {
@@ -12,18 +11,14 @@ namespace weft::api {
 template <class T>
 void fill_grid_constants(const scene::CookedFabric&, ClothParams<T>&);
 
-/// To be called for the cloths in arena order, whose `first` is known.
+/// To be called for every cloth.
 template <class T>
 class SpringFiller {
  public:
-  SpringFiller(const ArenaInput& in, const plan::Layout& layout, char* image);
+  SpringFiller(const ArenaInput& in, Simulation<T>& image);
   void fill(const ClothRecord&);
 
  private:
-  template <class E>
-  E* array(size_t offset) const {
-    return offset == plan::absent ? nullptr : reinterpret_cast<E*>(image_ + offset);
-  }
   void fill_rows(const ClothRecord&);
   void fill_entry(const ClothRecord&, int64_t e, uint32_t v, uint64_t k);
   void fill_hubs(const ClothRecord&, int64_t first_entry);
@@ -32,12 +27,8 @@ class SpringFiller {
   T rest_of(const ClothRecord&, uint32_t v, uint64_t k) const;
   T stiffness_of(const ClothRecord&, uint64_t k) const;
 
-  const ArenaInput& in_;
-  const plan::Layout& layout_;
-  char* image_;
+  Simulation<T>& image_;
   std::vector<Vec3<T>> rest_shape_;  ///< of the present cloth
-  int slice_ = 0, scatter_slice_ = 0, hub_ = 0, chunk_ = 0;
-  int64_t entry_ = 0, incident_ = 0, edge_ = 0;
 };
 
 }  // namespace weft::api

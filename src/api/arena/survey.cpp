@@ -24,12 +24,12 @@ void include(const Survey<T>& group, ClothRecord& cloth) {
 template <class T>
 void take_survey(const ArenaInput& in, const std::vector<Survey<T>>& groups) {
   const double far = std::numeric_limits<double>::infinity();
-  size_t next = 0;
   for (ClothRecord* cloth : in.cloths) {
     cloth->low = {far, far, far};
     cloth->high = {-far, -far, -far};
     cloth->furthest = 0;
     cloth->broken = false;
+    auto next = static_cast<size_t>(cloth->place.survey_groups);
     const uint32_t blocks = (cloth->cooked().vertices + block_size - 1) / block_size;
     for (uint32_t b = 0; b < blocks; b += survey_blocks) include(groups[next++], *cloth);
   }

@@ -4,6 +4,7 @@
 #include <memory_resource>
 #include <vector>
 
+#include "plan/shape.h"
 #include "scene/fabric.h"
 #include "weft/world.hpp"
 
@@ -23,6 +24,9 @@ struct ClothRecord : ClothSettings {
       : pins(memory), motions(memory), forces(memory), positions(memory), velocities(memory) {}
 
   const scene::CookedFabric& cooked() const { return *cooked_fabric; }
+  /// Element of its first particle on the device.
+  int first() const { return static_cast<int>(place.particles); }
+  void changed(Part part) { parts_changed |= 1u << static_cast<int>(part); }
   const PinRecord* pin_of(uint32_t vertex) const;
 
   ClothId id;
@@ -56,11 +60,9 @@ struct ClothRecord : ClothSettings {
   double furthest = 0;                  ///< m: longest way of a particle in the last substep
   bool broken = false;                  ///< a position is not finite
 
-  bool forces_changed = false;
-  bool moved = false;    ///< a step has been made: the device holds its state
-  int first = 0;         ///< element of its first particle on the device
-  int params = 0;        ///< its place among the cloth parameters
-  int motion_first = 0;  ///< its first motion among the world's
+  uint32_t parts_changed = 0;  ///< bit k: the device's entries of Part k are out of date
+  bool moved = false;          ///< a step has been made: the device holds its state
+  ClothCounts place{};         ///< where its elements begin in the arrays of the device
   // State while the device memory is being remade: local, storage order, as the form keeps it.
   std::vector<double3> saved_x, saved_d, saved_before;
   Bounds bounds{}, bounds_before{};  ///< what is told of the last step, and of the one before

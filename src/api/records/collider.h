@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "api/records/collider_motion.h"
-#include "plan/effects.h"
+#include "plan/shape.h"
 #include "weft/world.hpp"
 
 namespace weft {

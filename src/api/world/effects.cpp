@@ -59,7 +59,7 @@ Status World::set_forces(ClothId id, View<VertexForce> forces) noexcept {
     if (sorted.empty() && cloth->forces.empty()) return Status::ok;
     impl_->dirty |= impl_->starting || sorted.empty() != cloth->forces.empty();
     cloth->forces = std::move(sorted);
-    cloth->forces_changed = true;
+    cloth->changed(Part::forces);
     impl_->result = Impl::Result::none;
     api::wake(*cloth);
     return Status::ok;
@@ -103,7 +103,7 @@ Status World::clear_wind() noexcept {
 }
 
 void World::Impl::say_if_windless(const api::ClothRecord& cloth) {
-  if (api::shape_of(cloth).triangles || cloth.cooked().vertices == 0) return;
+  if (scene::triangle_count(cloth.cooked()) > 0 || cloth.cooked().vertices == 0) return;
   context->say(
       Severity::warning,
       text("cloth %u feels no wind (it has no triangles) use a grid or a mesh, or leave out "

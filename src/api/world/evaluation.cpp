@@ -11,7 +11,7 @@ namespace {
 
 /// The vertex that is stored at an element of the device.
 uint32_t vertex_at(const api::ClothRecord& cloth, int element) {
-  const auto storage = static_cast<uint32_t>(element - cloth.first);
+  const auto storage = static_cast<uint32_t>(element - cloth.first());
   return cloth.cooked().is_grid ? storage : cloth.cooked().caller_of[storage];
 }
 
@@ -25,7 +25,7 @@ Status World::Impl::find_overflow(api::Overflow& out) {
   if (status != Status::ok || !found.happened) return status;
   const api::ClothRecord* cloth = nullptr;
   for (const api::ClothRecord* c : built->cloths) {
-    if (c->first <= found.a) cloth = c;
+    if (c->first() <= found.a) cloth = c;
   }
   std::vector<double3> x;
   status = arena->read(*cloth, api::StateArray::position, x);

@@ -2,8 +2,9 @@
 #include <bit>
 #include <cmath>
 
-#include "api/arena/fill.h"
+#include "api/arena/image.h"
 #include "api/world/entry.h"
+#include "plan/device_arrays.h"
 #include "api/records/evaluation.h"
 #include "api/world/state.h"
 #include "scene/energy.h"
@@ -275,7 +276,7 @@ Result<PlanInfo> World::plan() noexcept {
                                     cost.gather, cost.scatter});
     }
     info.evaluations = {impl_->evaluations.data(), impl_->evaluations.size()};
-    info.bytes_state = plan::lay_out(in.shape, impl_->context->backend->info().particle_step).bytes;
+    info.bytes_state = plan::device_bytes(in.shape, impl_->context->backend->info().particle_step);
     const uint64_t arena_now = impl_->built ? impl_->arena->bytes() : 0;
     info.bytes_total = impl_->context->memory.held() - arena_now + info.bytes_state;
     return Status::ok;

@@ -65,7 +65,7 @@ struct __attribute__((visibility("hidden"))) World::Impl {
   Status stale(const char* what, uint32_t index) noexcept;
 
   /// The cloths in arena order with their shape; `substeps` of a frame at most.
-  api::ArenaInput arena_input(uint32_t substeps);
+  api::ArenaInput arena_input(uint32_t substeps) const;
   /// Makes the arena anew where inputs have changed its shape. `dt`: of the substep to come.
   Status ensure_built(double dt, uint32_t substeps);
   Status ensure_readable();

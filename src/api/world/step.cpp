@@ -4,10 +4,10 @@
 #include <limits>
 
 #include "api/arena/collider_mesh_arrays.h"
+#include "api/arena/parts.h"
 #include "api/world/entry.h"
 #include "api/context/vector_math.h"
 #include "api/world/state.h"
-#include "scene/fan.h"
 #include "scene/stability.h"
 
 namespace weft {
@@ -61,7 +61,7 @@ static Accumulation accumulation_of(Accumulate accumulate) {
 
 inline namespace v0 {
 
-api::ArenaInput World::Impl::arena_input(uint32_t substeps) {
+api::ArenaInput World::Impl::arena_input(uint32_t substeps) const {
   api::ArenaInput in;
   in.world = &desc;
   in.colliders = &colliders;
@@ -71,45 +71,35 @@ api::ArenaInput World::Impl::arena_input(uint32_t substeps) {
     if (cloths[id.index]->cooked().vertices > 0) in.cloths.push_back(cloths[id.index].get());
   }
   std::stable_sort(in.cloths.begin(), in.cloths.end(), before_in_arena);
-  in.shape.precision = desc.precision;
-  in.shape.position_form = desc.form == Form::position;
-  in.shape.accumulation = accumulation_of(desc.accumulate);
-  in.shape.full_scale = desc.fixed8_range;
-  in.shape.substeps = std::max(1u, substeps);
-  int motions = 1;
-  for (api::ClothRecord* cloth : in.cloths) {
-    in.shape.cloths.push_back(api::shape_of(*cloth));
-    if (cloth->scatters && uses_atomics(in.shape.accumulation)) {
-      in.shape.cloths.back().row_entries = 0;
-      in.shape.cloths.back().hubs = in.shape.cloths.back().hub_chunks = 0;
-      in.shape.cloths.back().hub_springs = 0;
-    }
-    if (wind || normals_wanted) {
-      in.shape.cloths.back().triangle_entries = scene::fan_entries(cloth->cooked());
-    }
-    cloth->motion_first = motions;
-    motions += static_cast<int>(cloth->motions.size());
+  plan::WorldShape& shape = in.shape;
+  shape.precision = desc.precision;
+  shape.position_form = desc.form == Form::position;
+  shape.accumulation = accumulation_of(desc.accumulate);
+  shape.full_scale = desc.fixed8_range;
+  shape.substeps = std::max(1u, substeps);
+  shape.wind = wind.has_value();
+  shape.normals = normals_wanted;
+  shape.interpolate = desc.interpolate;
+  for (const api::ClothRecord* cloth : in.cloths) {
+    shape.cloths.push_back(api::shape_of(*cloth, shape.accumulation, shape.wind || shape.normals));
   }
-  in.shape.motions = static_cast<uint32_t>(motions);
+  api::price_parts(shape);
   // Particle indices are 32 bits wide, guard bands included.
-  const uint64_t elements = in.shape.blocks() * block_size;
+  const auto elements = static_cast<uint64_t>(plan::counts_of(shape).particles);
   if (elements > (uint64_t(1) << 30) + block_size * in.cloths.size()) {
     throw InvalidInput(text("a world of %llu particles (it holds at most 2^30) use several worlds",
                             static_cast<unsigned long long>(elements)));
   }
-  in.shape.wind = wind.has_value();
-  in.shape.normals = normals_wanted;
-  in.shape.interpolate = desc.interpolate;
   for (const api::ColliderRecord& c : colliders) {
     if (!c.id) continue;
-    ++in.shape.colliders[static_cast<int>(c.shape)];
-    if (c.can_turn) ++in.shape.turning_colliders;
+    ++shape.colliders[static_cast<int>(c.shape)];
+    if (c.can_turn) ++shape.turning_colliders;
     if (c.shape != ColliderShape::mesh) continue;
     const auto at = std::find(in.meshes.begin(), in.meshes.end(), c.cooked_mesh);
     in.mesh_of_collider.push_back(static_cast<size_t>(at - in.meshes.begin()));
     if (at != in.meshes.end()) continue;
     in.meshes.push_back(c.cooked_mesh);
-    in.shape.meshes.push_back(api::bytes_on_device(*c.cooked_mesh, desc.precision));
+    shape.meshes.push_back(api::grid_counts(*c.cooked_mesh));
   }
   return in;
 }

@@ -13,25 +13,27 @@ struct ClothShape {
   KernelKind kind;
   uint32_t particles;
   uint64_t directed_springs;
-  int64_t row_entries;  ///< sliced rows and hubs, padding included; 0 for grids that gather
-  uint64_t edges;       ///< padding included; 0: it gathers
-  uint32_t hubs, hub_chunks;
-  uint64_t hub_springs;  ///< directed: those of the hubs, among directed_springs
-  int guard;  ///< elements that the stencil reads before and behind
-  bool constant_forces;
+  int64_t
+      row_entries;  ///< sliced rows and hubs, padding included; 0 for grids that gather, atomics
+  uint64_t edges;   ///< padding included; 0: it gathers
+  uint32_t hubs, hub_chunks;  ///< none where atomics add up
+  uint64_t hub_springs;       ///< directed: those of the hubs, among directed_springs
+  int guard;                  ///< elements that the stencil reads before and behind
   bool drag;
   bool spring_damping;
   bool triangles;            ///< feels wind, has normals
   int64_t triangle_entries;  ///< sliced rows of triangles, padding included; 0 for grids
   bool sleeps;
-  uint32_t moving_pin_blocks;
+  uint32_t moving_pin_blocks, motions;
+  uint32_t parts;  ///< bit k: it has Part k
   uint32_t blocks() const { return (particles + block_size - 1) / block_size; }
+  bool has(Part part) const { return (parts >> static_cast<int>(part) & 1u) != 0; }
 };
 
-/// Of the arrays of one cooked collider mesh (state/collider_mesh.h): bytes, or offsets.
-struct MeshArrays {
-  static constexpr int count = 6;
-  size_t of[count];
+/// What a part does to the pass that it is a stage of.
+struct PartCost {
+  const char* name;
+  double bytes, flops;  ///< per particle of a cloth that has it
 };
 
 struct WorldShape {
@@ -40,36 +42,25 @@ struct WorldShape {
   Accumulation accumulation = Accumulation::native;  ///< of the cloths that scatter
   double full_scale = 1;                             ///< of fixed8, in largest spring forces
   std::vector<ClothShape> cloths;
+  PartCost parts[part_count] = {};
   uint32_t colliders[collider_shapes] = {};  ///< by ColliderShape
   uint32_t turning_colliders = 0;
-  std::vector<MeshArrays> meshes;  ///< each that a collider uses, once
+  std::vector<GridCounts> meshes;  ///< each that a collider uses, once
   bool interpolate = false;        ///< positions before a frame are kept
   bool wind = false;
   bool normals = false;   ///< of meshes: grids need nothing for theirs
-  uint32_t motions = 0;   ///< of all cloths, and one for "none" when any pin moves
   uint32_t substeps = 1;  ///< most in a frame: motions are tabulated
 
-  uint32_t colliders_of(ColliderShape shape) const { return colliders[static_cast<int>(shape)]; }
-  bool any_grid() const;
-  bool any_rows() const;
-  bool any_mesh() const;  ///< a mesh or network, whether it gathers or scatters
-  bool any_scatter() const;
-  uint32_t hubs() const;
-  uint32_t hub_chunks() const;
-  bool any_per_spring() const;
-  bool any_spring_damping() const;
-  bool reads_velocities() const;  ///< of neighbours: displacements need two buffers
-  bool any_triangle_rows() const;
-  bool any_sleeper() const;
-  uint32_t all_colliders() const;
-  uint32_t survey_groups() const;
-  uint64_t moving_pin_blocks() const;
-  uint64_t blocks() const;
+  size_t scalar() const { return precision == Precision::float64 ? sizeof(double) : sizeof(float); }
 };
 
 constexpr bool is_grid(KernelKind kind) { return kind <= KernelKind::scatter_grid; }
 constexpr bool scatters(KernelKind kind) {
   return kind == KernelKind::scatter_grid || kind == KernelKind::scatter_mesh;
 }
+
+/// Where the elements of each cloth begin in the arrays; one more entry than cloths: the whole.
+std::vector<ClothCounts> places_of(const WorldShape&);
+Counts counts_of(const WorldShape&);
 
 }  // namespace weft::plan

@@ -1,0 +1,109 @@
+// What some cloths have in arrays of their own, as a list. Which cloths have it, how much memory it
+// takes, what `weft plan` says of it, what a kernel reads of it once per block and how its arrays
+// are filled follow from the list. A part is a type with
+//
+//   part, name, flops              Part of state/stages.h; of `weft plan`, per particle
+//   used(cloth)                    whether the cloth has it
+//   number(cloth)                  the one number that its stage reads per block (ClothParams)
+//   arrays(sim)                    its struct of views in Simulation
+//   fill(cloth, first, stride, to) writes the cloth's entries, which are 0, from `first` on
+//
+// and says with ClothRecord::parts_changed that its entries are to be written again.
+#pragma once
+
+#include "api/arena/forces.h"
+#include "plan/cutter.h"
+#include "plan/shape.h"
+
+namespace weft::api {
+
+template <class... Each>
+struct PartList {
+  static constexpr int count = sizeof...(Each);
+  /// Calls `use` with every part.
+  template <class Use>
+  static void each(Use use) {
+    (use(Each()), ...);
+  }
+};
+using Parts = PartList<ForcesPart>;
+static_assert(Parts::count == part_count, "a Part of state/stages.h is missing in the list");
+
+constexpr int index_of(Part part) { return static_cast<int>(part); }
+
+/// Bit k: the cloth has Part k.
+inline uint32_t parts_of(const ClothRecord& cloth) {
+  uint32_t bits = 0;
+  Parts::each([&](auto part) {
+    if (part.used(cloth)) bits |= 1u << index_of(part.part);
+  });
+  return bits;
+}
+
+/// Counts of `particles` particles that have a part, and of nothing else.
+inline Counts counts_with(Part part, int64_t particles) {
+  Counts counts{};
+  counts.part[index_of(part)] = particles;
+  return counts;
+}
+
+template <class T>
+void price_parts_in(plan::WorldShape& shape) {
+  Parts::each([&](auto part) {
+    Simulation<T> sim{};
+    plan::ArrayBytes bytes;
+    part.arrays(sim).arrays(bytes, counts_with(part.part, 1));
+    shape.parts[index_of(part.part)] = {part.name, static_cast<double>(bytes.bytes()), part.flops};
+  });
+}
+inline void price_parts(plan::WorldShape& shape) {
+  if (shape.precision == Precision::float64) {
+    price_parts_in<double>(shape);
+  } else {
+    price_parts_in<float>(shape);
+  }
+}
+
+/// The memory of one cloth's entries in the arrays of a part.
+struct Piece {
+  char* at;
+  size_t bytes;
+};
+class PieceFinder {
+ public:
+  PieceFinder(int64_t first, int64_t count, int vector_stride)
+      : first_(static_cast<size_t>(first)),
+        count_(static_cast<size_t>(count)),
+        stride_(static_cast<size_t>(vector_stride)) {}
+
+  template <class Element>
+  void operator()(Element*& view, int64_t per_particle) {
+    const size_t bytes = static_cast<size_t>(per_particle) * sizeof(Element);
+    add(view, first_ * bytes, count_ * bytes);
+  }
+  template <class T>
+  void operator()(Vec3Array<T>& view, int64_t, int64_t = 0) {
+    const size_t bytes = stride_ * sizeof(T);
+    for (size_t c = 0; c < (stride_ > 1 ? 1 : 3); ++c) {
+      add(view.data + c * view.pitch, first_ * bytes, count_ * bytes);
+    }
+  }
+  const std::vector<Piece>& pieces() const { return pieces_; }
+
+ private:
+  void add(const void* array, size_t from, size_t bytes) {
+    pieces_.push_back({static_cast<char*>(const_cast<void*>(array)) + from, bytes});
+  }
+
+  size_t first_, count_, stride_;
+  std::vector<Piece> pieces_;
+};
+template <class ThePart, class T>
+std::vector<Piece> pieces_of(ThePart part, Simulation<T>& sim, int64_t first, int64_t count,
+                             int vector_stride) {
+  PieceFinder finder(first, count, vector_stride);
+  part.arrays(sim).arrays(finder, counts_with(part.part, 1));
+  return finder.pieces();
+}
+
+}  // namespace weft::api

@@ -1,0 +1,108 @@
+#include <algorithm>
+
+#include "plan/shape.h"
+
+namespace weft::plan {
+
+namespace {
+
+ClothCounts counts_of(const WorldShape& world, const ClothShape& cloth) {
+  const int64_t blocks = cloth.blocks();
+  ClothCounts n{};
+  n.cloths = 1;
+  n.particles = blocks * block_size;
+  n.motions = cloth.motions;
+  n.pin_blocks = cloth.moving_pin_blocks;
+  n.survey_groups = (blocks + survey_blocks - 1) / survey_blocks;
+  if (is_grid(cloth.kind)) n.grid_particles = n.particles;
+  if (scatters(cloth.kind)) {
+    n.scatter_slices = blocks;
+    n.edges = static_cast<int64_t>(cloth.edges);
+    n.incident = cloth.row_entries;
+  } else if (!is_grid(cloth.kind)) {
+    n.row_slices = blocks;
+    n.row_entries = cloth.row_entries;
+    if (cloth.kind == KernelKind::mesh_per_spring) n.own_stiffness = cloth.row_entries;
+  }
+  n.hubs = cloth.hubs;
+  n.hub_chunks = cloth.hub_chunks;
+  if (!is_grid(cloth.kind) && (world.wind || world.normals)) {
+    n.fan_slices = blocks;
+    n.corners = cloth.triangle_entries;
+  }
+  for (int k = 0; k < part_count; ++k) {
+    if (cloth.has(static_cast<Part>(k))) n.part[k] = n.particles;
+  }
+  return n;
+}
+
+void add(const ClothCounts& more, ClothCounts& n) {
+  n.cloths += more.cloths;
+  n.particles += more.particles;
+  n.grid_particles += more.grid_particles;
+  n.row_slices += more.row_slices;
+  n.row_entries += more.row_entries;
+  n.own_stiffness += more.own_stiffness;
+  n.scatter_slices += more.scatter_slices;
+  n.edges += more.edges;
+  n.incident += more.incident;
+  n.hubs += more.hubs;
+  n.hub_chunks += more.hub_chunks;
+  n.fan_slices += more.fan_slices;
+  n.corners += more.corners;
+  n.pin_blocks += more.pin_blocks;
+  n.motions += more.motions;
+  n.survey_groups += more.survey_groups;
+  for (int k = 0; k < part_count; ++k) n.part[k] += more.part[k];
+}
+
+/// What does not grow from cloth to cloth.
+void note(const WorldShape& world, const ClothShape& cloth, const ClothCounts& own, Counts& n) {
+  n.guard = std::max<int64_t>(n.guard, cloth.guard);
+  if (cloth.kind < KernelKind::scatter_grid) n.first_scatter_block += cloth.blocks();
+  if (cloth.kind <= KernelKind::scatter_mesh) n.first_row_block += cloth.blocks();
+  if (is_grid(cloth.kind)) n.first_mesh_block += cloth.blocks();
+  const bool blown = world.wind && cloth.triangles && cloth.particles > 0;
+  n.reads_velocities |= blown || cloth.spring_damping;
+  n.damped_edges |= scatters(cloth.kind) && cloth.spring_damping;
+  n.damped_hubs |= own.hubs > 0 && cloth.spring_damping;
+  n.uses_activity |= cloth.sleeps;
+}
+
+}  // namespace
+
+std::vector<ClothCounts> places_of(const WorldShape& world) {
+  std::vector<ClothCounts> places(1);
+  places[0].motions = 1;
+  for (const ClothShape& cloth : world.cloths) {
+    places.push_back(places.back());
+    add(counts_of(world, cloth), places.back());
+  }
+  return places;
+}
+
+Counts counts_of(const WorldShape& world) {
+  Counts n{};
+  n.motions = 1;
+  for (const ClothShape& cloth : world.cloths) {
+    const ClothCounts own = counts_of(world, cloth);
+    add(own, n);
+    note(world, cloth, own, n);
+  }
+  for (int shape = 0; shape < collider_shapes; ++shape) {
+    n.colliders[shape] = world.colliders[shape];
+    n.all_colliders += world.colliders[shape];
+  }
+  n.turns = world.turning_colliders;
+  n.substeps = world.substeps;
+  n.position_form = world.position_form;
+  n.keeps_before = world.interpolate;
+  n.collides = n.all_colliders > 0 && n.cloths > 0;
+  n.uses_activity |= n.collides;
+  n.meets_meshes = !world.meshes.empty();
+  n.accumulation = static_cast<int32_t>(world.accumulation);
+  n.full_scale = world.full_scale;
+  return n;
+}
+
+}  // namespace weft::plan

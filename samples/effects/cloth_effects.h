@@ -78,7 +78,7 @@ inline void lead_pins(Stage& s, int frame) {
   for (const ClothId id : s.cloths) {
     if (frame % 4 == 1) {
       check(s.world.move_pins(id, View<uint32_t>(vertices, 2), View<double3>(targets, 2)));
-    } else if (frame == 14) {
+    } else if (frame == 8) {
       check(s.world.release_pins(id, View<uint32_t>(vertices, 1)));
     }
   }
@@ -86,7 +86,7 @@ inline void lead_pins(Stage& s, int frame) {
 inline Effect led_pins() { return {.name = "led_pins", .used = {.lead = lead_pins}}; }
 
 inline void wake_the_first(Stage& s, int frame) {
-  if (frame != 14) return;
+  if (frame != 8) return;
   if (!take(s.world.asleep(s.cloths[0]))) throw std::runtime_error("no cloth sleeps");
   check(s.world.wake(s.cloths[0]));
 }

@@ -146,11 +146,11 @@ void put_all_shapes(Stage& s) {
     go(collider, way);
     add(s, collider);
   };
-  put_one(SphereDesc{{0.2, 0.2, -0.15}, 0.2});
-  put_one(PlaneDesc{{0.1, 0, 1}, -0.3});
-  put_one(CapsuleDesc{{0.6, 0.1, -0.1}, {0.9, 0.2, 0}, 0.08});
-  put_one(CylinderDesc{{0.5, 0.6, -0.2}, {0.5, 0.5, 0.02}, 0.1});
-  put_one(BoxDesc{{0.8, 0.8, -0.1}, {0.1, 0.1, 0.12}, {1, 2, 3}, 30});
+  put_one(SphereDesc{{0.2, 0.2, -0.25}, 0.2});
+  put_one(PlaneDesc{{0.1, 0, 1}, -0.4});
+  put_one(CapsuleDesc{{0.6, 0.1, -0.2}, {0.9, 0.2, -0.1}, 0.08});
+  put_one(CylinderDesc{{0.5, 0.6, -0.3}, {0.5, 0.5, -0.08}, 0.1});
+  put_one(BoxDesc{{0.8, 0.8, -0.2}, {0.1, 0.1, 0.12}, {1, 2, 3}, 30});
 }
 template <Way way>
 Effect all_shapes() {

@@ -31,7 +31,7 @@ struct Change {
   void (*begin)(WorldDesc&) = nullptr;        ///< before the world is made
   void (*dress)(ClothDesc&) = nullptr;        ///< before a cloth is made
   void (*furnish)(Stage&) = nullptr;          ///< when all cloths are there
-  void (*lead)(Stage&, int frame) = nullptr;  ///< before each step, frames from 1; not timed
+  void (*lead)(Stage&, int frame) = nullptr;  ///< before each step, frames from 1 to 12; not timed
 };
 
 struct Effect {

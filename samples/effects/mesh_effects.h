@@ -118,8 +118,8 @@ void append_mesh(std::vector<Effect>& all, const char* name, const char* line,
 /// A closed one and a standing sheet, one beside the other.
 template <Way way>
 void put_both_meshes(Stage& s) {
-  MeshColliderDesc closed = cooked(s, ball(0.2, 8, true, 0.3), 0.01, {0.25, 0.5, -0.12});
-  MeshColliderDesc sheet = cooked(s, waves(0.5, 6, 0.05), 0.01, {0.7, 0.5, -0.12});
+  MeshColliderDesc closed = cooked(s, ball(0.2, 8, true, 0.3), 0.01, {0.25, 0.5, -0.22});
+  MeshColliderDesc sheet = cooked(s, waves(0.5, 6, 0.05), 0.01, {0.7, 0.5, -0.22});
   sheet.pose.degrees = 60;
   for (MeshColliderDesc* mesh : {&closed, &sheet}) {
     go(*mesh, way);

@@ -12,7 +12,7 @@ void blow(Stage& s) {
   check(s.world.set_wind(wind));
 }
 inline void turn_the_wind(Stage& s, int frame) {
-  if (frame == 10) check(s.world.set_wind({{-3, 2, 5}, 1.2, 0.8, 0}));
+  if (frame == 6) check(s.world.set_wind({{-3, 2, 5}, 1.2, 0.8, 0}));
 }
 inline void blow_and_clear(Stage& s) {
   blow<5>(s);

@@ -32,6 +32,7 @@ SteppedWorld::SteppedWorld(Context context, Fabric fabric, const Options& option
   desc.accumulate = options.accumulate;
   desc.deterministic = options.accumulate != Accumulate::atomic;
   desc.profile = options.profile;
+  if (options.begin) options.begin(desc);
   world_ = take(context_.create_world(desc), "world");
   ClothDesc cloth;
   cloth.fabric = fabric;

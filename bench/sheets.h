@@ -24,6 +24,7 @@ class SteppedWorld {
     Accumulate accumulate = Accumulate::native;
     bool profile = false;
     int substeps = steps_per_call;
+    std::function<void(WorldDesc&)> begin;  ///< changes the world before it is made
     std::function<void(ClothDesc&)> dress;  ///< changes the cloth before it is made
     std::function<void(Context&, World&, ClothId)> furnish;  ///< adds what else there is
   };

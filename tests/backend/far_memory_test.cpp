@@ -76,13 +76,15 @@ class FarBackend final : public Backend {
   BackendInfo info_;
 };
 
+const Backend& host() { return *api::choose_backend(BackendKind::omp, Isa::automatic).backend; }
+
 constexpr uint32_t vertices = 23 * 31;
 
 /// What a world of a grid or a mesh writes, at several alphas, and its hash.
 std::vector<char> written(const Backend& backend, Precision precision, bool as_mesh) {
   auto state = std::make_shared<api::ContextState>(ContextDesc{});
   state->backend = &backend;
-  state->host_backend = api::choose_backend(BackendKind::omp, Isa::v2).backend;
+  state->host_backend = &host();
   state->threads = 1;
   Context context(new Context::Impl{state});
   WorldDesc desc;
@@ -136,8 +138,7 @@ class FarMemory : public ::testing::TestWithParam<std::tuple<Precision, bool>> {
 
 TEST_P(FarMemory, OutputsAreTheSame) {
   const auto [precision, as_mesh] = GetParam();
-  const Backend* near = api::choose_backend(BackendKind::omp, Isa::v2).backend;
-  const std::vector<char> expected = written(*near, precision, as_mesh);
+  const std::vector<char> expected = written(host(), precision, as_mesh);
   for (const NamedBackend& b : backends()) {
     SCOPED_TRACE(b.name);
     if (b.backend->info().host_memory) {

@@ -34,7 +34,8 @@ MAY_INCLUDE = {
     "src/io": [],
     "src/render": ["src/io"],
     "tools": ["src/io", "src/render", "bench"],
-    "bench": ["src/io", "tools"],
+    "bench": ["src/io", "tools", "samples/effects"],
+    "samples/effects": [],
     "samples": ["src/io"],
 }
 

@@ -2,11 +2,13 @@
 #include "reference/effects.h"
 #include "reference/random.h"
 #include "reference/sheets.h"
-
-#include <functional>
+#include "samples/effects/effects.h"
 
 namespace weft_tests {
 namespace {
+
+using weft::samples::Change;
+using weft::samples::Changes;
 
 class NullEffect : public testing::TestWithParam<std::tuple<weft::Precision, weft::Form>> {
  protected:
@@ -17,83 +19,80 @@ class NullEffect : public testing::TestWithParam<std::tuple<weft::Precision, wef
   }
 };
 
-/// A hanging sheet and a crumpled mesh that meet a sphere, each as `change` makes it.
-using Change = std::function<void(weft::ClothDesc&)>;
-void add_scene(TestWorld& test, const Change& change) {
-  weft::ClothDesc hanging;
-  const std::vector<weft::Pin> pins{{0, weft::Pin::fixed}, {12, weft::Pin::fixed}};
-  hanging.pins = pins;
-  hanging.pose = {{1, 0, 0}, 80, {0, 1, 0}};
-  change(hanging);
-  weft::GridDesc grid;
-  grid.rows = 11;
-  grid.columns = 13;
-  grid.material.mass.value = 0.3;
-  test.add(grid, hanging);
-  weft::ClothDesc falling;
-  falling.pose.translate = {0.5, 1.5, 0};
-  change(falling);
-  weft::Material material;
-  material.mass.value = 0.2;
-  add_mesh_cloth(test, reference::sheet(0.6, 7, 0.1), material, falling);
-  add_body(test, Body::sphere, {0.5, 0.9, -0.2}, 0.4, 0.3);
-}
-
-/// Two worlds that differ by what ought to be nothing, over 200 steps.
-void expect_nothing(const weft::WorldDesc& desc, const Change& change,
-                    const std::function<void(TestWorld&)>& add) {
-  TestWorld bare(desc), with(desc);
-  add_scene(bare, [](weft::ClothDesc&) {});
-  add_scene(with, change);
-  add(with);
-  for (int n = 0; n < 200; ++n) {
-    bare.step(1.0 / 60);
-    with.step(1.0 / 60);
-    ASSERT_EQ(bare.hash(), with.hash()) << n;
+/// A hanging sheet and a crumpled mesh that meet a sphere, with what `changes` make of them.
+class Scene {
+ public:
+  Scene(const weft::WorldDesc& desc, const Changes& changes)
+      : changes_(changes), test_(begun(desc, changes)) {
+    hang_sheet();
+    drop_mesh();
+    weft::SphereDesc sphere{{0.5, 0.2, 0.5}, 0.4};
+    sphere.friction = 0.3;
+    test_.take(test_.world().create_sphere(sphere));
+    weft::samples::furnish(changes_, stage_);
   }
-}
-
-constexpr auto unchanged = [](weft::ClothDesc&) {};
-constexpr auto nothing = [](TestWorld&) {};
-
-TEST_P(NullEffect, FarCollidersOfEveryShape) {
-  for (const Body body : every_body) {
-    SCOPED_TRACE(name(body));
-    expect_nothing(desc(), unchanged, [&](TestWorld& test) {
-      add_body(test, body, {900, -800, 700}, 1, 0.5);
-    });
+  /// After each of 200 steps.
+  std::vector<uint64_t> hashes() {
+    std::vector<uint64_t> all;
+    for (int frame = 1; frame <= 200; ++frame) {
+      weft::samples::lead(changes_, stage_, frame);
+      test_.step(1.0 / 60);
+      all.push_back(test_.hash());
+    }
+    return all;
   }
-  expect_nothing(desc(), unchanged, [](TestWorld& test) {
-    for (int i = 0; i < 64; ++i) add_body(test, Body::sphere, {900.0 + i, -800, 700}, 1);
-  });
+
+ private:
+  static weft::WorldDesc begun(weft::WorldDesc desc, const Changes& changes) {
+    desc.gravity = weft::samples::down;
+    weft::samples::begin(changes, desc);
+    return desc;
+  }
+  void hang_sheet() {
+    weft::ClothDesc hanging;
+    const std::vector<weft::Pin> pins{{0, weft::Pin::fixed}, {16, weft::Pin::fixed}};
+    hanging.pins = pins;
+    hanging.pose = {{1, 0, 0}, 10, {0, 0, 1}};
+    weft::samples::dress(changes_, hanging);
+    weft::GridDesc grid;
+    grid.rows = 16;
+    grid.columns = 17;
+    grid.material.mass.value = 0.3;
+    stage_.cloths.push_back(test_.add(grid, hanging));
+  }
+  void drop_mesh() {
+    weft::ClothDesc falling;
+    falling.pose = {{1, 0, 0}, 90, {0.5, 0.1, 1.5}};
+    weft::samples::dress(changes_, falling);
+    weft::Material material;
+    material.mass.value = 0.2;
+    stage_.cloths.push_back(
+        add_mesh_cloth(test_, reference::sheet(0.6, 15, 0.1), material, falling));
+  }
+
+  Changes changes_;
+  TestWorld test_;
+  weft::samples::Stage stage_{test_.context(), test_.world(), {}, {}};
+};
+
+std::vector<uint64_t> hashes(const weft::WorldDesc& desc, const Changes& changes) {
+  return Scene(desc, changes).hashes();
 }
 
-TEST_P(NullEffect, WindWithoutAirOrHold) {
-  expect_nothing(desc(), unchanged, [](TestWorld& test) {
-    test.check(test.world().set_wind({{9, 5, 7}, 0, 1, 1}));
-  });
-  expect_nothing(desc(), unchanged, [](TestWorld& test) {
-    test.check(test.world().set_wind({{9, 5, 7}, 1.225, 0, 0}));
-  });
-  expect_nothing(desc(), unchanged, [](TestWorld& test) {
-    test.check(test.world().set_wind({{9, 5, 7}}));
-    test.check(test.world().clear_wind());
-  });
-}
-
-TEST_P(NullEffect, ZeroDragDampingAndForce) {
-  const std::vector<weft::VertexForce> no_force{{3, {0, 0, 0}}};
-  expect_nothing(
-      desc(), [](weft::ClothDesc& c) { c.drag_model = weft::DragModel::lagged; }, nothing);
-  expect_nothing(
-      desc(), [](weft::ClothDesc& c) { c.drag = c.spring_damping = 0; }, nothing);
-  expect_nothing(
-      desc(), [&](weft::ClothDesc& c) { c.forces = no_force; }, nothing);
+TEST_P(NullEffect, ChangesNoBit) {
+  for (const weft::samples::Effect& effect : weft::samples::effects()) {
+    if (effect.null.empty()) continue;
+    const std::vector<uint64_t> bare = hashes(desc(), {&effect.needs});
+    for (const Change& change : effect.null) {
+      EXPECT_EQ(hashes(desc(), {&effect.needs, &change}), bare)
+          << effect.name << ", the one of number " << &change - effect.null.data();
+    }
+  }
 }
 
 TEST_P(NullEffect, SleepThatNeverComes) {
-  expect_nothing(
-      desc(), [](weft::ClothDesc& c) { c.sleep_speed = 1e-12; }, nothing);
+  const Change sleep{.dress = [](weft::ClothDesc& c) { c.sleep_speed = 1e-12; }};
+  EXPECT_EQ(hashes(desc(), {&sleep}), hashes(desc(), {}));
 }
 
 /// A sheet that falls over spheres, or whose particles fly apart, or that fast pins pull through.

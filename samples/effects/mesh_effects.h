@@ -1,0 +1,144 @@
+// Colliders of triangles below the cloths: open and closed, in every way. Made with + - * / and
+// square roots only, so that every compiler makes the same.
+#pragma once
+
+#include "samples/effects/collider_effects.h"
+
+namespace weft::samples {
+
+struct Surface {
+  std::vector<double3> positions;
+  std::vector<uint32_t> triangles;
+  bool closed = false;
+};
+
+constexpr double pi = 3.141592653589793;
+inline double sine(double x) {
+  while (x > pi) x -= 2 * pi;
+  while (x < -pi) x += 2 * pi;
+  double sum = 0;
+  for (int k = 27; k > 1; k -= 2) sum = (1 - sum) * x * x / (k * (k - 1));
+  return (1 - sum) * x;
+}
+
+/// A ball of 2 x rings quads around, whose upper side may be dented. Closed, its poles are one
+/// vertex each.
+inline Surface ball(double radius, uint32_t rings, bool closed, double dent) {
+  Surface ball;
+  ball.closed = closed;
+  const uint32_t around = 2 * rings;
+  for (uint32_t r = 0; r <= rings; ++r) {
+    for (uint32_t a = 0; a < around; ++a) {
+      const double t = pi * r / rings, p = 2 * pi * a / around;
+      const double out = radius * sine(t), z = radius * sine(t + pi / 2);
+      const double w = out * out / (radius * radius);
+      const double sunk = z > 0 ? dent * radius / (1 + 4 * w + 8 * w * w) : 0;
+      ball.positions.push_back({out * sine(p + pi / 2), out * sine(p), z - sunk});
+    }
+  }
+  const auto vertex = [&](uint32_t r, uint32_t a) {
+    const bool pole = closed && (r == 0 || r == rings);
+    return r * around + (pole ? 0 : a % around);
+  };
+  const auto triangle = [&](uint32_t a, uint32_t b, uint32_t c) {
+    if (a != b && b != c && c != a) ball.triangles.insert(ball.triangles.end(), {a, b, c});
+  };
+  for (uint32_t r = 0; r < rings; ++r) {
+    for (uint32_t a = 0; a < around; ++a) {
+      triangle(vertex(r, a), vertex(r + 1, a), vertex(r + 1, a + 1));
+      triangle(vertex(r, a), vertex(r + 1, a + 1), vertex(r, a + 1));
+    }
+  }
+  return ball;
+}
+
+inline Surface waves(double side, uint32_t n, double height) {
+  Surface sheet;
+  for (uint32_t v = 0; v < (n + 1) * (n + 1); ++v) {
+    const double x = double(v % (n + 1)) / n - 0.5, y = double(v / (n + 1)) / n - 0.5;
+    sheet.positions.push_back({side * x, side * y, height * sine(9 * x) * sine(7 * y + 1.87)});
+  }
+  for (uint32_t v = 0; v < n * (n + 1); ++v) {
+    if (v % (n + 1) == n) continue;
+    const uint32_t a = v, b = v + 1, c = v + n + 1, d = c + 1;
+    sheet.triangles.insert(sheet.triangles.end(), {a, b, d, a, d, c});
+  }
+  return sheet;
+}
+
+inline MeshColliderDesc cooked(Stage& s, const Surface& surface, double thickness, double3 at) {
+  ColliderMeshDesc desc;
+  desc.positions = View<double3>(surface.positions);
+  desc.indices = surface.triangles;
+  desc.thickness = thickness;
+  desc.closed = surface.closed;
+  MeshColliderDesc collider;
+  collider.mesh = take(s.context.cook(desc));
+  collider.pose.translate = at;
+  return collider;
+}
+inline void add(Stage& s, const MeshColliderDesc& d) {
+  s.colliders.push_back(take(s.world.create_mesh(d)));
+}
+
+/// The sheets that are timed lie on the top of an open ball.
+inline MeshColliderDesc open_mesh(Stage& s, double depth) {
+  return cooked(s, ball(0.4, s.fine ? 132 : 10, false, 0), 0.005, {0.5, 0.5, -0.405 - depth});
+}
+inline MeshColliderDesc closed_mesh(Stage& s, double depth) {
+  return cooked(s, ball(0.3, 8, true, 0.3), 0.01, {0.5, 0.5, -0.25 - depth});
+}
+
+template <auto mesh, Way way>
+void put_mesh(Stage& s) {
+  MeshColliderDesc collider = mesh(s, 0);
+  go(collider, way);
+  add(s, collider);
+}
+template <auto mesh>
+void put_mesh_far(Stage& s) {
+  add(s, mesh(s, far_away));
+}
+template <auto mesh, Way way>
+Effect mesh_collider(const std::string& name) {
+  return {.name = name + suffix_of(way),
+          .used = {.furnish = put_mesh<mesh, way>, .lead = way == Way::turning ? turn : nullptr}};
+}
+template <auto mesh>
+void append_mesh(std::vector<Effect>& all, const char* name, const char* line,
+                 const char* far_line) {
+  all.push_back(mesh_collider<mesh, Way::smooth>(name));
+  all.back().used.line = line;
+  all.back().null = {{.line = far_line, .furnish = put_mesh_far<mesh>}};
+  all.push_back(mesh_collider<mesh, Way::rough>(name));
+  all.push_back(mesh_collider<mesh, Way::moving>(name));
+  all.push_back(mesh_collider<mesh, Way::turning>(name));
+}
+
+/// A closed one and a standing sheet, one beside the other.
+template <Way way>
+void put_both_meshes(Stage& s) {
+  MeshColliderDesc closed = cooked(s, ball(0.2, 8, true, 0.3), 0.01, {0.25, 0.5, -0.22});
+  MeshColliderDesc sheet = cooked(s, waves(0.5, 6, 0.05), 0.01, {0.7, 0.5, -0.22});
+  sheet.pose.degrees = 60;
+  for (MeshColliderDesc* mesh : {&closed, &sheet}) {
+    go(*mesh, way);
+    add(s, *mesh);
+  }
+}
+template <Way way>
+Effect both_meshes() {
+  return {.name = std::string("both_meshes") + suffix_of(way),
+          .used = {.furnish = put_both_meshes<way>, .lead = way == Way::turning ? turn : nullptr}};
+}
+
+inline std::vector<Effect> mesh_effects() {
+  std::vector<Effect> all{both_meshes<Way::rough>(), both_meshes<Way::moving>(),
+                          both_meshes<Way::turning>()};
+  append_mesh<open_mesh>(all, "open_mesh", "mesh of 69,696 triangles, used",
+                         "mesh of 69,696 triangles, out of reach");
+  append_mesh<closed_mesh>(all, "closed_mesh", "closed mesh, used", nullptr);
+  return all;
+}
+
+}  // namespace weft::samples

@@ -82,7 +82,7 @@ constexpr uint32_t vertices = 23 * 31;
 std::vector<char> written(const Backend& backend, Precision precision, bool as_mesh) {
   auto state = std::make_shared<api::ContextState>(ContextDesc{});
   state->backend = &backend;
-  state->host_backend = api::choose_backend(BackendKind::omp, Isa::v2).backend;
+  state->host_backend = api::choose_backend(BackendKind::omp, Isa::automatic).backend;
   state->threads = 1;
   Context context(new Context::Impl{state});
   WorldDesc desc;
@@ -136,7 +136,7 @@ class FarMemory : public ::testing::TestWithParam<std::tuple<Precision, bool>> {
 
 TEST_P(FarMemory, OutputsAreTheSame) {
   const auto [precision, as_mesh] = GetParam();
-  const Backend* near = api::choose_backend(BackendKind::omp, Isa::v2).backend;
+  const Backend* near = api::choose_backend(BackendKind::omp, Isa::automatic).backend;
   const std::vector<char> expected = written(*near, precision, as_mesh);
   for (const NamedBackend& b : backends()) {
     SCOPED_TRACE(b.name);

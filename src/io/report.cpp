@@ -2,6 +2,8 @@
 
 #include "io/output_file.h"
 
+#include <nlohmann/json.hpp>
+
 #include <cmath>
 
 namespace weft::io {

@@ -27,11 +27,11 @@ function(weft_add_cuda target)
   if(Python3_Interpreter_FOUND AND NOT CMAKE_CUDA_COMPILER_LAUNCHER)
     target_compile_options(weft_cuda PRIVATE -Xptxas=-v)
     set_target_properties(weft_cuda PROPERTIES CUDA_COMPILER_LAUNCHER
-      "${Python3_EXECUTABLE};-B;${PROJECT_SOURCE_DIR}/cmake/keep_ptxas.py")
+      "${Python3_EXECUTABLE};-B;${PROJECT_SOURCE_DIR}/cmake/keep_ptxas.py;${WEFT_CCACHE}")
   endif()
   set_target_properties(weft_cuda PROPERTIES
     CUDA_STANDARD 17 CUDA_STANDARD_REQUIRED ON CUDA_RUNTIME_LIBRARY Static
-    CUDA_VISIBILITY_PRESET hidden POSITION_INDEPENDENT_CODE ON)
+    CUDA_VISIBILITY_PRESET hidden POSITION_INDEPENDENT_CODE ON UNITY_BUILD OFF)
   target_sources(${target} PRIVATE $<TARGET_OBJECTS:weft_cuda>)
   target_compile_definitions(${target} PRIVATE WEFT_HAVE_CUDA)
   set_target_properties(${target} PROPERTIES CUDA_RUNTIME_LIBRARY Static)

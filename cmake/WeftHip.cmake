@@ -33,7 +33,7 @@ function(weft_add_hip target)
     set(source ${PROJECT_SOURCE_DIR}/src/cuda/${name}.cu)
     set(object ${CMAKE_CURRENT_BINARY_DIR}/${name}.hip.o)
     add_custom_command(OUTPUT ${object}
-      COMMAND ${WEFT_HIPCC} ${flags} -MD -MF ${object}.d -MT ${object} -c ${source} -o ${object}
+      COMMAND ${WEFT_CCACHE} ${WEFT_HIPCC} ${flags} -MD -MF ${object}.d -MT ${object} -c ${source} -o ${object}
       DEPENDS ${source} DEPFILE ${object}.d VERBATIM
       COMMENT "Building HIP object ${name}.hip.o")
     list(APPEND objects ${object})

@@ -1,7 +1,7 @@
 """Compiler launcher: runs nvcc and keeps what its assembler says of registers and spills.
 
-usage: keep_ptxas.py nvcc ARGUMENTS... The output goes to OBJECT.ptxas, next to the object; what is
-about anything else, warnings for example, is printed as ever.
+usage: keep_ptxas.py [LAUNCHER...] nvcc ARGUMENTS... The output goes to OBJECT.ptxas, next to the
+object; what is about anything else, warnings for example, is printed as ever.
 """
 
 import re

@@ -2,7 +2,7 @@
 # Installs what weft needs to be built and tested on Debian 12 or a relative of it.
 # usage: scripts/setup.sh [--all | --demo]
 #   --all   also clang with its OpenMP and sanitizer runtimes, hipcc with rocPRIM, pkg-config and
-#          mkdocs, for the other stages of test.sh
+#          mkdocs, for the other stages of test.sh, and ccache
 #   --demo  also ffmpeg, for the films of demo.sh, and gnuplot, for the plots of forces.sh
 # Says what it installs, and does nothing (in a fraction of a second) when nothing is missing.
 set -euo pipefail
@@ -75,7 +75,7 @@ have_thrust || need_package libthrust-dev libcub-dev
 if [[ "${1:-}" == --all ]]; then
   for package in clang libclang-rt-14-dev libomp-dev llvm \
                  hipcc libamdhip64-dev rocm-device-libs librocprim-dev dpkg-dev pkg-config \
-                 mkdocs; do
+                 mkdocs ccache; do
     is_installed "$package" || extras+=("$package")
   done
 fi

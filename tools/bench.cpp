@@ -5,6 +5,8 @@
 
 #include "io/error.h"
 
+#include <nlohmann/json.hpp>
+
 #if defined(WEFT_HAVE_BENCH)
 
 #  include "bench/bench.h"

@@ -9,6 +9,8 @@
 #include "io/build.h"
 #include "io/scene_size.h"
 
+#include <nlohmann/json.hpp>
+
 #include <cmath>
 
 namespace weft::tools {

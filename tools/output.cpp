@@ -2,6 +2,8 @@
 
 #include "io/error.h"
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <cerrno>
 #include <cmath>

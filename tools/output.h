@@ -1,7 +1,7 @@
 // Standard output: JSON documents and aligned lines; messages on standard error.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include <string>
 #include <utility>

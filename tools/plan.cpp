@@ -6,6 +6,8 @@
 
 #include "io/build.h"
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <cstdio>
 #include <cstring>

@@ -18,6 +18,8 @@
 #include "io/scene_size.h"
 #include "io/text_cursor.h"
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <optional>

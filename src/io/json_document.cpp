@@ -3,6 +3,8 @@
 #include "io/error.h"
 #include "io/text_cursor.h"
 
+#include <nlohmann/json.hpp>
+
 #include <vector>
 
 namespace weft::io {

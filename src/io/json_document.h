@@ -1,7 +1,7 @@
 // JSON text to values, stricter than the parser it uses.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include <string>
 #include <string_view>

@@ -4,10 +4,17 @@
 #include "io/nearest.h"
 #include "io/text_cursor.h"
 
+#include <nlohmann/json.hpp>
+
 #include <cmath>
 #include <vector>
 
 namespace weft::io {
+
+bool Node::is_number() const { return value_->is_number(); }
+bool Node::is_object() const { return value_->is_object(); }
+bool Node::is_string() const { return value_->is_string(); }
+bool Node::is_null() const { return value_->is_null(); }
 
 std::string Node::path() const {
   std::vector<const Node*> line;

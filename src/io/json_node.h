@@ -24,10 +24,10 @@ class Node {
   std::string path() const;
   /// The value in at most 60 characters.
   std::string value_text() const;
-  bool is_number() const { return value_->is_number(); }
-  bool is_object() const { return value_->is_object(); }
-  bool is_string() const { return value_->is_string(); }
-  bool is_null() const { return value_->is_null(); }
+  bool is_number() const;
+  bool is_object() const;
+  bool is_string() const;
+  bool is_null() const;
 
   /// `PATH: problem`
   [[noreturn]] void fail(const std::string& problem) const;
@@ -61,7 +61,7 @@ class Node {
   Value choice(std::initializer_list<std::pair<const char*, Value>> choices) const {
     std::string allowed;
     for (const auto& [name, value] : choices) {
-      if (value_->is_string() && value_->get_ref<const std::string&>() == name) return value;
+      if (is_string() && text() == name) return value;
       allowed += (allowed.empty() ? "\"" : " or \"") + std::string(name) + "\"";
     }
     fail(value_text() + " is not one of the choices (they are fixed) give " + allowed);

@@ -112,12 +112,12 @@ class HeaderReader {
     Cursor count_at = line;
     const NumberFault fault = next_integer(line, count);
     if (fault != NumberFault::none || count < 0) {
-      fail("element " + quoted(element.name) + ": the count " + quoted(next_word(count_at)) +
+      fail("element " + io::quoted(element.name) + ": the count " + quoted(next_word(count_at)) +
                " is not a whole number >= 0 (it counts records)",
            "correct it");
     }
     if (header_.find(element.name)) {
-      fail("element " + quoted(element.name) +
+      fail("element " + io::quoted(element.name) +
                " is declared twice (their records could not be told apart)",
            "remove one of the two");
     }

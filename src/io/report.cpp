@@ -2,23 +2,27 @@
 
 #include "io/output_file.h"
 
+#include <nlohmann/json.hpp>
+
 #include <cmath>
 
 namespace weft::io {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
-Json finite_or_null(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+OrderedJson finite_or_null(double value) {
+  return std::isfinite(value) ? OrderedJson(value) : OrderedJson(nullptr);
+}
 
-Json events_json(const std::vector<ReportEvent>& events) {
-  Json list = Json::array();
+OrderedJson events_json(const std::vector<ReportEvent>& events) {
+  OrderedJson list = OrderedJson::array();
   for (const ReportEvent& event : events) {
-    Json entry{{"type", event.type},
-               {"cloth", nullptr},
-               {"vertex", nullptr},
-               {"time", finite_or_null(event.time)},
-               {"text", event.text}};
+    OrderedJson entry{{"type", event.type},
+                      {"cloth", nullptr},
+                      {"vertex", nullptr},
+                      {"time", finite_or_null(event.time)},
+                      {"text", event.text}};
     if (event.cloth) {
       entry["cloth"] = *event.cloth;
       entry["vertex"] = event.vertex;
@@ -28,12 +32,13 @@ Json events_json(const std::vector<ReportEvent>& events) {
   return list;
 }
 
-void add_mechanics(Json& json, const Mechanics& mechanics) {
+void add_mechanics(OrderedJson& json, const Mechanics& mechanics) {
   json["energy"] = {{"kinetic", finite_or_null(mechanics.kinetic)},
                     {"elastic", finite_or_null(mechanics.elastic)},
                     {"potential", finite_or_null(mechanics.potential)}};
   const double3 p = mechanics.momentum;
-  json["momentum"] = Json::array({finite_or_null(p.x), finite_or_null(p.y), finite_or_null(p.z)});
+  json["momentum"] =
+      OrderedJson::array({finite_or_null(p.x), finite_or_null(p.y), finite_or_null(p.z)});
 }
 
 }  // namespace
@@ -45,23 +50,23 @@ std::optional<double> Report::ns_per_particle_step() const {
 }
 
 nlohmann::ordered_json to_json(const Report& report) {
-  Json json{{"backend", report.backend},
-            {"device", report.device},
-            {"threads", report.threads},
-            {"isa", report.isa},
-            {"precision", report.precision},
-            {"evaluation", report.evaluation},
-            {"particles", report.particles},
-            {"springs", report.springs},
-            {"frames", report.frames},
-            {"substeps_per_frame", report.substeps_per_frame},
-            {"dt", report.dt},
-            {"dt_bound", finite_or_null(report.dt_bound)},
-            {"steps", report.steps},
-            {"wall_seconds", report.wall_seconds}};
+  OrderedJson json{{"backend", report.backend},
+                   {"device", report.device},
+                   {"threads", report.threads},
+                   {"isa", report.isa},
+                   {"precision", report.precision},
+                   {"evaluation", report.evaluation},
+                   {"particles", report.particles},
+                   {"springs", report.springs},
+                   {"frames", report.frames},
+                   {"substeps_per_frame", report.substeps_per_frame},
+                   {"dt", report.dt},
+                   {"dt_bound", finite_or_null(report.dt_bound)},
+                   {"steps", report.steps},
+                   {"wall_seconds", report.wall_seconds}};
   const auto cost = report.ns_per_particle_step();
-  json["ns_per_particle_step"] = cost ? Json(*cost) : Json(nullptr);
-  json["phases"] = Json::array();
+  json["ns_per_particle_step"] = cost ? OrderedJson(*cost) : OrderedJson(nullptr);
+  json["phases"] = OrderedJson::array();
   for (const ReportPhase& phase : report.phases) {
     json["phases"].push_back({{"name", phase.name}, {"seconds", phase.seconds}});
   }
@@ -84,7 +89,7 @@ std::string hash_text(uint64_t hash) {
 
 void write_report(const std::string& path, const Report& report) {
   OutputFile file(path, Sync::yes);
-  file.write(to_json(report).dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+  file.write(to_json(report).dump(2, ' ', false, OrderedJson::error_handler_t::replace) + "\n");
   file.commit();
 }
 

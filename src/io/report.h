@@ -3,7 +3,7 @@
 
 #include "weft/world.hpp"
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include <optional>
 #include <string>

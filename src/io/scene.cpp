@@ -5,6 +5,8 @@
 #include "io/scene_parts.h"
 #include "io/text_cursor.h"
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <filesystem>

@@ -7,7 +7,7 @@ namespace weft::io {
 namespace {
 
 bool is_zero(double3 v) { return v.x == 0 && v.y == 0 && v.z == 0; }
-bool equal(double3 a, double3 b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
+bool same_point(double3 a, double3 b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
 
 double read_radius(const Node& node) {
   return node.at("radius", "a length > 0").number(Sign::positive);
@@ -40,7 +40,7 @@ CylinderDesc read_cylinder(const Node& node) {
   cylinder.a = node.at("a", "one end").vector();
   cylinder.b = b.vector();
   cylinder.radius = read_radius(node);
-  if (equal(cylinder.a, cylinder.b)) {
+  if (same_point(cylinder.a, cylinder.b)) {
     b.fail("is equal to \"a\" (a cylinder has a length) give two different ends");
   }
   return cylinder;

@@ -10,7 +10,7 @@
 namespace weft::render {
 namespace {
 
-[[noreturn]] void fail(const std::string& what) {
+[[noreturn]] void fail_display(const std::string& what) {
   throw io::UnavailableError(
       "pictures cannot be made (" + what +
       ") install a driver with EGL, for example apt-get install libegl1 libgl1-mesa-dri, or write "
@@ -74,18 +74,18 @@ EGLContext make_context(EGLDisplay display) {
 
 Session::Session() {
   // Without the library the first call of EGL would end the program.
-  if (!epoxy_has_egl()) fail("there is no libEGL on this machine");
+  if (!epoxy_has_egl()) fail_display("there is no libEGL on this machine");
   display_ = open_display();
-  if (display_ == EGL_NO_DISPLAY) fail("EGL has no display that works without a screen");
+  if (display_ == EGL_NO_DISPLAY) fail_display("EGL has no display that works without a screen");
   context_ = make_context(display_);
   if (context_ == EGL_NO_CONTEXT) {
     eglTerminate(display_);
-    fail("the driver has no OpenGL 3.3");
+    fail_display("the driver has no OpenGL 3.3");
   }
   if (!eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_)) {
     eglDestroyContext(display_, context_);
     eglTerminate(display_);
-    fail("the driver needs a window");
+    fail_display("the driver needs a window");
   }
   renderer_ = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
 }

@@ -11,9 +11,9 @@ namespace weft::scene {
 namespace {
 
 /// An edge of a triangle with the vertex opposite to it.
-struct Side {
+struct TriangleSide {
   uint32_t a, b, opposite;  // a < b
-  friend bool operator<(const Side& x, const Side& y) {
+  friend bool operator<(const TriangleSide& x, const TriangleSide& y) {
     return x.a != y.a ? x.a < y.a : x.b != y.b ? x.b < y.b : x.opposite < y.opposite;
   }
 };
@@ -43,8 +43,8 @@ void check_triangles(const MeshDesc& desc) {
   }
 }
 
-std::vector<Side> sorted_sides(const MeshDesc& desc) {
-  std::vector<Side> sides;
+std::vector<TriangleSide> sorted_sides(const MeshDesc& desc) {
+  std::vector<TriangleSide> sides;
   sides.reserve(desc.indices.count);
   for (uint32_t t = 0; t < desc.indices.count / 3; ++t) {
     for (uint32_t c = 0; c < 3; ++c) {
@@ -119,7 +119,7 @@ void cook_checked(const MeshDesc& desc, CookedFabric& fabric) {
   fabric.triangles.resize(desc.indices.count);
   for (uint32_t i = 0; i < desc.indices.count; ++i) fabric.triangles[i] = desc.indices[i];
 
-  const std::vector<Side> sides = sorted_sides(desc);
+  const std::vector<TriangleSide> sides = sorted_sides(desc);
   std::vector<SpringRecord> springs, bend;
   for (size_t first = 0; first < sides.size();) {
     size_t end = first + 1;

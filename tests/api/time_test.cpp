@@ -4,7 +4,7 @@
 
 #include "reference/world_helpers.h"
 
-namespace weft_tests {
+namespace weft_tests::time {
 namespace {
 
 weft::GridDesc sheet() {
@@ -228,4 +228,4 @@ TEST(Profile, TellsThePartsOfAStepOnlyWhereItIsAskedFor) {
 }
 
 }  // namespace
-}  // namespace weft_tests
+}  // namespace weft_tests::time

@@ -6,7 +6,7 @@
 #include "api/world/state.h"
 #include "backends.h"
 
-namespace weft::testing {
+namespace weft::testing::layout {
 namespace {
 
 Context context_on(const Backend& backend, uint32_t threads) {
@@ -81,4 +81,4 @@ TEST(Layout, NoLayoutLevelOrThreadCountChangesABit) {
 }
 
 }  // namespace
-}  // namespace weft::testing
+}  // namespace weft::testing::layout

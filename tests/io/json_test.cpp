@@ -6,6 +6,8 @@
 
 #include "support.h"
 
+#include <nlohmann/json.hpp>
+
 namespace weft::io::test {
 namespace {
 

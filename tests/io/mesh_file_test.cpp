@@ -8,7 +8,7 @@
 
 #include <random>
 
-namespace weft::io::test {
+namespace weft::io::test::mesh_file {
 namespace {
 
 std::string error(const std::string& path) {
@@ -133,4 +133,4 @@ TEST(MeshFile, DamagedMeshesAreReadOrRefused) {
 }
 
 }  // namespace
-}  // namespace weft::io::test
+}  // namespace weft::io::test::mesh_file

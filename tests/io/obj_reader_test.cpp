@@ -2,7 +2,7 @@
 
 #include "support.h"
 
-namespace weft::io::test {
+namespace weft::io::test::obj_reader {
 namespace {
 
 const std::string triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
@@ -119,4 +119,4 @@ TEST(ObjReader, RefusesWhatIsNotObj) {
 }
 
 }  // namespace
-}  // namespace weft::io::test
+}  // namespace weft::io::test::obj_reader

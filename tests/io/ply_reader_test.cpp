@@ -6,7 +6,7 @@
 #include <bit>
 #include <cstring>
 
-namespace weft::io::test {
+namespace weft::io::test::ply_reader {
 namespace {
 
 using Indices = std::vector<uint32_t>;
@@ -193,4 +193,4 @@ TEST(PlyReader, RefusesBadHeaders) {
 }
 
 }  // namespace
-}  // namespace weft::io::test
+}  // namespace weft::io::test::ply_reader

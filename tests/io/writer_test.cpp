@@ -6,6 +6,8 @@
 
 #include "support.h"
 
+#include <nlohmann/json.hpp>
+
 #include <sys/resource.h>
 
 #include <csignal>

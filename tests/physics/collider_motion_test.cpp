@@ -5,7 +5,7 @@
 
 #include <limits>
 
-namespace weft_tests {
+namespace weft_tests::collider_motion {
 namespace {
 
 using ColliderMotion = BothPrecisions;
@@ -202,4 +202,4 @@ TEST(BadMove, EveryArgumentIsChecked) {
 INSTANTIATE_TEST_SUITE_P(Precision, ColliderMotion, both_precisions(), precision_name);
 
 }  // namespace
-}  // namespace weft_tests
+}  // namespace weft_tests::collider_motion

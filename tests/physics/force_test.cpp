@@ -2,7 +2,7 @@
 // every stencil against the reference.
 #include "reference/sheets.h"
 
-namespace weft_tests {
+namespace weft_tests::force {
 namespace {
 
 constexpr double dt = 6.454972243679e-4;
@@ -153,4 +153,4 @@ TEST_P(Forces, HundredStepsFollowTheReferenceForEveryStencil) {
 INSTANTIATE_TEST_SUITE_P(Precision, Forces, both_precisions(), precision_name);
 
 }  // namespace
-}  // namespace weft_tests
+}  // namespace weft_tests::force

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace weft_tests {
+namespace weft_tests::friction {
 namespace {
 
 using Friction = BothPrecisions;
@@ -182,4 +182,4 @@ TEST(FrictionInFloat, NothingCreepsOnAnyShapeInAnyForm) {
   }
 }
 
-}  // namespace weft_tests
+}  // namespace weft_tests::friction

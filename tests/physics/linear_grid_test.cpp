@@ -5,7 +5,7 @@
 
 #include <numbers>
 
-namespace weft_tests {
+namespace weft_tests::linear_grid {
 namespace {
 
 constexpr uint32_t n = 16;
@@ -85,4 +85,4 @@ TEST_P(LinearGrid, NetworkOfTheSameSpringsMovesInItsModes) {
 INSTANTIATE_TEST_SUITE_P(Precision, LinearGrid, both_precisions(), precision_name);
 
 }  // namespace
-}  // namespace weft_tests
+}  // namespace weft_tests::linear_grid

@@ -3,7 +3,7 @@
 #include "reference/closed_forms.h"
 #include "reference/networks.h"
 
-namespace weft_tests {
+namespace weft_tests::oscillator {
 namespace {
 
 struct Row {
@@ -151,4 +151,4 @@ TEST(OscillatorInvariant, MillionFloat32StepsKeepTheAmplitude) {
 INSTANTIATE_TEST_SUITE_P(Precision, Oscillator, both_precisions(), precision_name);
 
 }  // namespace
-}  // namespace weft_tests
+}  // namespace weft_tests::oscillator

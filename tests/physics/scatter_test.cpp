@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace weft_tests {
+namespace weft_tests::scatter {
 namespace {
 
 weft::WorldDesc world_of(weft::Accumulate accumulate, weft::Precision precision,
@@ -323,4 +323,4 @@ TEST(HubSum, IsTheSameBothWaysAroundEveryLimit) {
 }
 
 }  // namespace
-}  // namespace weft_tests
+}  // namespace weft_tests::scatter

@@ -1,7 +1,7 @@
 // Fast colliders sweep up particles at rest (HC45).
 #include "reference/effects.h"
 
-namespace weft_tests {
+namespace weft_tests::sweep_motion {
 namespace {
 
 using SweepMotion = BothPrecisions;
@@ -109,4 +109,4 @@ TEST_P(SweepMotion, AFastBodyOfAnyShapeTakesAlongWhatIsAboveIt) {
 INSTANTIATE_TEST_SUITE_P(Precision, SweepMotion, both_precisions(), precision_name);
 
 }  // namespace
-}  // namespace weft_tests
+}  // namespace weft_tests::sweep_motion

@@ -3,7 +3,7 @@
 #include "reference/effects.h"
 #include "reference/random.h"
 
-namespace weft_tests {
+namespace weft_tests::sweep_surface {
 namespace {
 
 using SweepSurface = BothPrecisions;
@@ -147,4 +147,4 @@ TEST_P(SweepSurface, AFlightIntoTheEndOfALongBodyStopsThere) {
 INSTANTIATE_TEST_SUITE_P(Precision, SweepSurface, both_precisions(), precision_name);
 
 }  // namespace
-}  // namespace weft_tests
+}  // namespace weft_tests::sweep_surface

@@ -1,7 +1,7 @@
 // Fast particles stop where they enter a collider: the time of the hit in closed form (HC45).
 #include "reference/effects.h"
 
-namespace weft_tests {
+namespace weft_tests::sweep {
 namespace {
 
 using Sweep = BothPrecisions;
@@ -198,4 +198,4 @@ TEST_P(Sweep, AGrazingPassEitherSlidesOrMisses) {
 INSTANTIATE_TEST_SUITE_P(Precision, Sweep, both_precisions(), precision_name);
 
 }  // namespace
-}  // namespace weft_tests
+}  // namespace weft_tests::sweep

@@ -4,12 +4,26 @@
 
 #include "reference/world_helpers.h"
 
+#include <functional>
 #include <limits>
 
 namespace weft_tests {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+
+/// What a field refuses that must be finite, at least 0, or more.
+inline const std::vector<double> not_finite{infinity, -infinity, not_a_number};
+inline const std::vector<double> negative{-1, -infinity, infinity, not_a_number};
+inline const std::vector<double> not_positive{0, -1, -infinity, infinity, not_a_number};
+
+/// A field of a description and values that it refuses.
+template <class Desc>
+struct BadField {
+  const char* name;
+  std::function<void(Desc&, double)> set;
+  std::vector<double> values;
+};
 
 /// Refused with `status` and a message with each of `words`.
 inline void expect_refusal(TestWorld& test, weft::Status actual,

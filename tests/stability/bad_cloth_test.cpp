@@ -7,9 +7,6 @@
 namespace weft_tests {
 namespace {
 
-const std::vector<double> not_finite{infinity, -infinity, not_a_number};
-const std::vector<double> negative{-1, -infinity, infinity, not_a_number};
-
 /// A world with one cloth that has moved, and the fabric for more.
 class BadCloth : public testing::Test {
  protected:

@@ -10,13 +10,6 @@ namespace {
 const std::vector<weft::double3> corners{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}};
 
 template <class Desc>
-struct BadField {
-  const char* name;
-  std::function<void(Desc&, double)> set;
-  std::vector<double> values;
-};
-
-template <class Desc>
 void expect_every_refusal(const Desc& good, const std::vector<BadField<Desc>>& fields) {
   TestWorld test;
   ASSERT_TRUE(test.context().cook(good)) << test.log();
@@ -31,10 +24,6 @@ void expect_every_refusal(const Desc& good, const std::vector<BadField<Desc>>& f
     }
   EXPECT_EQ(test.context().bytes_allocated(), before);
 }
-
-const std::vector<double> not_positive{0, -1, -infinity, infinity, not_a_number};
-const std::vector<double> negative{-1, -infinity, infinity, not_a_number};
-const std::vector<double> not_finite{infinity, -infinity, not_a_number};
 
 /// The fields of Material, which every description has.
 template <class Desc>

@@ -8,9 +8,6 @@
 namespace weft_tests {
 namespace {
 
-const std::vector<double> not_finite{infinity, -infinity, not_a_number};
-const std::vector<double> not_positive{0, -1, -infinity, infinity, not_a_number};
-
 std::string log_text;
 weft::Log log_to_text() {
   log_text.clear();
@@ -104,13 +101,6 @@ TEST(BadWorld, GravityIsCheckedWhenItChanges) {
       return test.world().set_gravity({0, bad, 0});
     });
 }
-
-template <class Desc>
-struct BadField {
-  const char* name;
-  std::function<void(Desc&, double)> set;
-  std::vector<double> values;
-};
 
 TEST(BadSphere, EveryFieldIsChecked) {
   using Field = BadField<weft::SphereDesc>;

@@ -3,7 +3,7 @@
 #include "reference/effects.h"
 #include "reference/sheets.h"
 
-namespace weft_tests {
+namespace weft_tests::collider_stability {
 namespace {
 
 using ColliderStability = BothPrecisions;
@@ -184,4 +184,4 @@ TEST_P(ColliderStability, AfterGravityIsSwitchedOffMomentumIsConstant) {
 INSTANTIATE_TEST_SUITE_P(Precision, ColliderStability, both_precisions(), precision_name);
 
 }  // namespace
-}  // namespace weft_tests
+}  // namespace weft_tests::collider_stability

@@ -1,7 +1,7 @@
 // Particles that start deep inside a collider (HC44, HC46).
 #include "reference/effects.h"
 
-namespace weft_tests {
+namespace weft_tests::deep_overlap {
 namespace {
 
 using DeepOverlap = BothPrecisions;
@@ -67,4 +67,4 @@ TEST_P(DeepOverlap, OnTheAxisUpToRoundingTheWayOutIsAcrossIt) {
 INSTANTIATE_TEST_SUITE_P(Precision, DeepOverlap, both_precisions(), precision_name);
 
 }  // namespace
-}  // namespace weft_tests
+}  // namespace weft_tests::deep_overlap

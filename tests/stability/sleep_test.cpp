@@ -3,7 +3,7 @@
 
 #include <functional>
 
-namespace weft_tests {
+namespace weft_tests::sleep {
 namespace {
 
 using Variant = std::tuple<weft::Precision, weft::Form, uint32_t>;
@@ -247,4 +247,4 @@ INSTANTIATE_TEST_SUITE_P(Variants, Sleep,
                          variant_name);
 
 }  // namespace
-}  // namespace weft_tests
+}  // namespace weft_tests::sleep

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "api/arena/image.h"
-#include "state/simulation.h"
+#include "plan/shape.h"
 
 namespace weft::api {
 

@@ -50,6 +50,12 @@ std::vector<Finding> find_all(const io::Scene& scene, io::Simulation& made,
       const Diagnostic& d = diagnostics[k];
       findings.push_back({name_of(d.severity), i, d.element, d.text ? d.text : ""});
     }
+    const auto remarks = made.world.diagnostics(made.cloths[i]);
+    made.require(remarks.status(), scene.file);
+    for (uint32_t k = 0; k < remarks->count; ++k) {
+      const Diagnostic& d = (*remarks)[k];
+      findings.push_back({name_of(d.severity), i, d.element, d.text});
+    }
   }
   for (Windless& cloth : windless_cloths(scene, made)) {
     findings.push_back({"warning", cloth.cloth, 0, std::move(cloth.text), true});

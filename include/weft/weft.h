@@ -76,6 +76,11 @@ WEFT_C_API void weft_collider_mesh_release(weft_collider_mesh*);
 WEFT_C_API weft_status weft_world_create(weft_context*, const weft_world_desc*, weft_world** out);
 WEFT_C_API void weft_world_release(weft_world*);
 WEFT_C_API weft_status weft_create_cloth(weft_world*, const weft_cloth_desc*, weft_cloth_id* out);
+/* What a cloth asks for and does not get, as its pins are now. A text lives until the next call of
+ * either with this cloth. */
+WEFT_C_API weft_status weft_cloth_diagnostics(weft_world*, weft_cloth_id, uint32_t* count);
+WEFT_C_API weft_status weft_cloth_diagnostic(weft_world*, weft_cloth_id, uint32_t index,
+                                             weft_diagnostic* out);
 WEFT_C_API weft_status weft_destroy_cloth(weft_world*, weft_cloth_id);
 WEFT_C_API bool weft_cloth_is_valid(const weft_world*, weft_cloth_id);
 WEFT_C_API weft_status weft_create_sphere(weft_world*, const weft_sphere_desc*,

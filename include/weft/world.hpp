@@ -276,6 +276,9 @@ class WEFT_API World {
 
   Result<ClothId> create_cloth(const ClothDesc&) noexcept;
   Status destroy_cloth(ClothId) noexcept;
+  /// What the cloth asks for and does not get, as its pins are now; the log was told at its
+  /// creation. Valid until the next call for this cloth.
+  Result<View<Diagnostic>> diagnostics(ClothId) noexcept;
   bool valid(ClothId) const noexcept;
   Result<ColliderId> create_sphere(const SphereDesc&) noexcept;
   Result<ColliderId> create_plane(const PlaneDesc&) noexcept;

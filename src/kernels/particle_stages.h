@@ -57,15 +57,19 @@ struct ParticleStages {
     return integrate_otherwise(cloth, region, i0, lanes, force);
   }
 
-  /// Puts the moving pins of a block where they are at the end of the substep.
+  /// Where a moving pin is at the end of the substep; of another lane of its block, anywhere.
+  WEFT_HD Vec3<T> pin_target(int slot, int motion) const {
+    const Vec3<T>* offset = sim.pins.offset + int64_t(step.substep) * sim.pins.motions;
+    return load(sim.pins.base, slot) + step.fraction * load(sim.pins.glide, slot) +
+           offset[motion < 0 ? 0 : motion];
+  }
+
+  /// Puts the moving pins of a block there.
   template <int N>
   WEFT_HD void place_pins(int slot0, int i0, Lanes<N> lanes) const {
-    const Vec3<T>* offset = sim.pins.offset + int64_t(step.substep) * sim.pins.motions;
     lanes.each([&](int l) WEFT_LANE {
       const int motion = sim.pins.motion[slot0 + l];
-      const Vec3<T> target = load(sim.pins.base, slot0 + l) +
-                             step.fraction * load(sim.pins.glide, slot0 + l) +
-                             offset[motion < 0 ? 0 : motion];
+      const Vec3<T> target = pin_target(slot0 + l, motion);
       const Vec3<T> x = select(motion < 0, load(p.x_out, i0 + l), target);
       const Vec3<T> d = x - load(p.x_in, i0 + l);
       store(p.x_out, i0 + l, x);

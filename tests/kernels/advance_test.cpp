@@ -53,7 +53,7 @@ struct TwoBlocks {
   Advance<float, GridSprings<float, Seed12>> kernel() {
     Simulation<float> sim{};
     sim.cloths = &cloth;
-    sim.block = {block_cloth, block_inner, nullptr};
+    sim.block = {block_cloth, block_inner};
     sim.presence = presence.data();
     sim.inverse_mass = w.data();
     sim.colliders.spheres = &sphere;

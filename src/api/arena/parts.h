@@ -8,6 +8,8 @@
 //   arrays(sim)                    its struct of views in Simulation
 //   fill(cloth, first, stride, to) writes the cloth's entries, which are 0, from `first` on
 //
+//   remarks(cloth, out)            may be there: what the cloth asks of it and does not get
+//
 // and says with ClothRecord::parts_changed that its entries are to be written again.
 #pragma once
 
@@ -38,6 +40,14 @@ inline uint32_t parts_of(const ClothRecord& cloth) {
     if (part.used(cloth)) bits |= 1u << index_of(part.part);
   });
   return bits;
+}
+
+inline std::vector<scene::CookedDiagnostic> remarks_on(const ClothRecord& cloth) {
+  std::vector<scene::CookedDiagnostic> out;
+  Parts::each([&](auto part) {
+    if constexpr (requires { part.remarks(cloth, out); }) part.remarks(cloth, out);
+  });
+  return out;
 }
 
 /// Counts of `particles` particles that have a part, and of nothing else.

@@ -30,6 +30,25 @@ weft_status weft_create_cloth(weft_world* w, const weft_cloth_desc* d, weft_clot
   return take(
       w, out, [&](World& world) { return world.create_cloth(api::from_c(*d)); }, put_id, d);
 }
+weft_status weft_cloth_diagnostics(weft_world* w, weft_cloth_id id, uint32_t* count) {
+  return take(
+      w, count, [&](World& world) { return world.diagnostics(api::id_from_c<ClothId>(id)); },
+      [](const View<Diagnostic>& told, uint32_t& out) { out = told.count; });
+}
+weft_status weft_cloth_diagnostic(weft_world* w, weft_cloth_id id, uint32_t index,
+                                  weft_diagnostic* out) {
+  return on(
+      w,
+      [&](World& world) {
+        const auto told = world.diagnostics(api::id_from_c<ClothId>(id));
+        if (!told) return told.status();
+        if (index >= told->count) return Status::invalid_argument;
+        const Diagnostic& d = (*told)[index];
+        *out = {static_cast<uint8_t>(d.severity), d.element, d.text};
+        return Status::ok;
+      },
+      out);
+}
 weft_status weft_destroy_cloth(weft_world* w, weft_cloth_id id) {
   return on(w, [&](World& world) { return world.destroy_cloth(api::id_from_c<ClothId>(id)); });
 }

@@ -1,6 +1,7 @@
 // What a world remembers of a cloth, on the host, in caller order and double.
 #pragma once
 
+#include <memory>
 #include <memory_resource>
 #include <vector>
 
@@ -27,6 +28,11 @@ struct ClothRecord : ClothSettings {
   /// Element of its first particle on the device.
   int first() const { return static_cast<int>(place.particles); }
   void changed(Part part) { parts_changed |= 1u << static_cast<int>(part); }
+  /// Other vertices are pinned than before.
+  void repinned() {
+    bound_known = false;
+    for (auto& part : kept) part.reset();
+  }
   const PinRecord* pin_of(uint32_t vertex) const;
 
   ClothId id;
@@ -67,6 +73,11 @@ struct ClothRecord : ClothSettings {
   std::vector<double3> saved_x, saved_d, saved_before;
   Bounds bounds{}, bounds_before{};  ///< what is told of the last step, and of the one before
   bool told_asleep = false;
+
+  /// What parts have worked out from the fabric and from which vertices are pinned; null: not yet.
+  mutable std::shared_ptr<const void> kept[part_count];
+  std::vector<scene::CookedDiagnostic> remarks;  ///< of World::diagnostics, and what it points to
+  std::vector<Diagnostic> told_remarks;
 
   bool bound_known = false;
   double bound_dt = 0;

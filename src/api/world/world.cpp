@@ -2,6 +2,7 @@
 #include <atomic>
 #include <cmath>
 
+#include "api/arena/parts.h"
 #include "api/world/entry.h"
 #include "api/records/evaluation.h"
 #include "api/context/vector_math.h"
@@ -115,6 +116,9 @@ Result<ClothId> World::create_cloth(const ClothDesc& cloth_desc) noexcept {
     id = impl_->cloth_ids.take(impl_->cloths);
     record->id = id;
     if (impl_->wind) impl_->say_if_windless(*record);
+    for (const scene::CookedDiagnostic& d : api::remarks_on(*record)) {
+      impl_->context->say(d.severity, text("cloth %u: %s", id.index, d.text.c_str()));
+    }
     impl_->cloths[id.index] = std::move(record);
     impl_->order.push_back(id);
     impl_->dirty = true;
@@ -258,7 +262,7 @@ Status World::move_pins(ClothId id, View<uint32_t> vertices, PointView targets) 
       if (at == cloth->pins.end() || at->vertex != v) {
         at = cloth->pins.insert(at, api::PinRecord{});
         at->vertex = v;
-        cloth->bound_known = false;
+        cloth->repinned();
       }
       if (!at->can_move) impl_->dirty = true;
       at->can_move = at->gliding = true;
@@ -305,10 +309,29 @@ Status World::release_pins(ClothId id, View<uint32_t> vertices) noexcept {
       const auto* pin = cloth->pin_of(vertices[i]);
       if (pin) cloth->pins.erase(cloth->pins.begin() + (pin - cloth->pins.data()));
     }
-    cloth->bound_known = false;
+    cloth->repinned();
     impl_->dirty = true;
     return Status::ok;
   });
+}
+
+Result<View<Diagnostic>> World::diagnostics(ClothId id) noexcept {
+  const api::Entry entry(impl_);
+  if (!entry) return entry.status();
+  api::ClothRecord* cloth = impl_->find(id);
+  if (!cloth) return impl_->stale("cloth", id.index);
+  View<Diagnostic> told;
+  const Status status = api::guarded(*impl_->context, [&] {
+    cloth->remarks = api::remarks_on(*cloth);
+    cloth->told_remarks.clear();
+    for (const scene::CookedDiagnostic& d : cloth->remarks) {
+      cloth->told_remarks.push_back({d.severity, d.element, d.text.c_str()});
+    }
+    told = {cloth->told_remarks.data(), cloth->told_remarks.size()};
+    return Status::ok;
+  });
+  if (status != Status::ok) return status;
+  return told;
 }
 
 }  // namespace v0

@@ -37,6 +37,7 @@ struct EdgeForces {
     }
   }
 
+  // The forces, one after the other: kernels/measured/spring_forces.h puts others between.
   template <int N>
   WEFT_HD void pull(int e0, Lanes<N> lanes, LaneVec3<T, N>& force) const {
     const Edges<T>& edges = sim.edges;

@@ -60,7 +60,7 @@ std::vector<Finding> find_all(const io::Scene& scene, io::Simulation& made,
   for (Windless& cloth : windless_cloths(scene, made)) {
     findings.push_back({"warning", cloth.cloth, 0, std::move(cloth.text), true});
   }
-  if (const auto problem = io::beyond_memory(io::bytes_to_run(scene, planned, false))) {
+  if (const auto problem = io::beyond_memory(io::bytes_to_run(scene, planned))) {
     findings.push_back({"warning", std::nullopt, 0, *problem});
   }
   if (const auto problem = beyond_bound(scene, made, stability)) {

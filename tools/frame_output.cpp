@@ -2,7 +2,6 @@
 
 #include "mesh_frames.h"
 #include "pictures.h"
-#include "read_surface.h"
 
 #include "io/output_file.h"
 
@@ -11,14 +10,6 @@
 #include <filesystem>
 
 namespace weft::tools {
-namespace {
-
-bool has_pictures(const FrameSettings& settings) {
-  return settings.has(FrameFormat::png) || settings.has(FrameFormat::mp4);
-}
-
-}  // namespace
-
 bool FrameSettings::has(FrameFormat format) const {
   return std::find(formats.begin(), formats.end(), format) != formats.end();
 }
@@ -36,25 +27,24 @@ std::string film_path(const std::string& folder, const std::string& scene_file) 
 }
 
 FrameOutput::FrameOutput(const FrameSettings& settings, const io::Scene& scene,
-                         io::Simulation& made, const ContextDesc& desc)
+                         io::Simulation& made)
     : clock_(settings.every, scene.time.frame),
       frame_seconds_(scene.time.frame),
-      normals_(settings.normals || has_pictures(settings)),
       surface_(io::make_surface(scene, made)),
       scene_file_(scene.file) {
-  if (normals_) surface_.normals.resize(surface_.positions.size());
-  if (has_pictures(settings)) require_pictures();
+  const bool pictures = settings.has(FrameFormat::png) || settings.has(FrameFormat::mp4);
+  if (pictures) require_pictures();
+  if (pictures || settings.normals) surface_.normals.resize(surface_.positions.size());
   io::make_folder(settings.folder);
   io::probe_output(frame_path(settings.folder, 0, "probe"));
   const MeshFormat format{scene.solver.precision, settings.normals};
   if (settings.has(FrameFormat::obj)) sinks_.push_back(make_obj_frames(settings.folder, format));
   if (settings.has(FrameFormat::ply)) sinks_.push_back(make_ply_frames(settings.folder, format));
   read(made);
-  // Pictures first: no file is open while they rehearse.
-  if (has_pictures(settings)) {
-    const PictureSettings pictures{settings.folder, settings.has(FrameFormat::png),
-                                   settings.has(FrameFormat::mp4), clock_};
-    sinks_.push_back(make_pictures(pictures, scene, surface_, desc));
+  if (pictures) {
+    const PictureSettings about{settings.folder, settings.has(FrameFormat::png),
+                                settings.has(FrameFormat::mp4), clock_.period()};
+    sinks_.push_back(make_pictures(about, scene, surface_));
   }
   if (settings.has(FrameFormat::pc2)) {
     sinks_.push_back(make_point_caches(settings.folder, surface_, scene.solver.precision));
@@ -73,6 +63,14 @@ void FrameOutput::commit() {
   for (const auto& sink : sinks_) sink->commit();
 }
 
-void FrameOutput::read(io::Simulation& made) { read_surface(made, scene_file_, surface_); }
+void FrameOutput::read(io::Simulation& made) {
+  for (size_t i = 0; i < made.cloths.size(); ++i) {
+    const size_t first = surface_.parts[i].first_vertex;
+    const ClothId cloth = made.cloths[i];
+    made.require(made.world.read_positions(cloth, &surface_.positions[first]), scene_file_);
+    if (surface_.normals.empty()) continue;
+    made.require(made.world.read_normals(cloth, &surface_.normals[first]), scene_file_);
+  }
+}
 
 }  // namespace weft::tools

@@ -28,19 +28,18 @@ struct FrameSettings {
 /// without gaps.
 class FrameOutput {
  public:
-  /// Makes the folder. `desc` says where a rehearsal runs (pictures need one).
-  FrameOutput(const FrameSettings&, const io::Scene&, io::Simulation&, const ContextDesc& desc);
+  /// Makes the folder.
+  FrameOutput(const FrameSettings&, const io::Scene&, io::Simulation&);
 
   /// After `frame` frames of the simulation; true when it was due and is written.
   bool update(uint64_t frame, io::Simulation&);
   void commit();
 
  private:
-  void read(io::Simulation&);
+  void read(io::Simulation&);  ///< positions and, where there is room for them, normals
 
   FrameClock clock_;
   double frame_seconds_;
-  bool normals_;
   io::Surface surface_;
   std::string scene_file_;
   std::vector<std::unique_ptr<FrameSink>> sinks_;

@@ -11,10 +11,8 @@ void require_pictures() {
       "write obj, ply or pc2");
 }
 
-uint64_t bytes_for_pictures(const io::Scene&) { return 0; }
-
 std::unique_ptr<FrameSink> make_pictures(const PictureSettings&, const io::Scene&,
-                                         const io::Surface&, const ContextDesc&) {
+                                         const io::Surface&) {
   require_pictures();
   return nullptr;
 }

@@ -6,7 +6,6 @@
 #include "frame_output.h"
 #include "output.h"
 #include "output_paths.h"
-#include "pictures.h"
 #include "progress.h"
 #include "step_bound.h"
 #include "stop_signal.h"
@@ -95,10 +94,7 @@ io::Simulation build_runnable(const io::Scene& scene, const RunRequest& request)
   io::Simulation made = io::build(scene, request.context);
   const auto plan = made.world.plan();
   made.require(plan.status(), scene.file);
-  const bool pictures = !request.frames.folder.empty() && (request.frames.has(FrameFormat::png) ||
-                                                           request.frames.has(FrameFormat::mp4));
-  require_memory(scene, io::bytes_to_run(scene, plan->bytes_total, pictures) +
-                            (pictures ? bytes_for_pictures(scene) : 0));
+  require_memory(scene, io::bytes_to_run(scene, plan->bytes_total));
   if (!scene.solver.unsafe) {
     if (const auto problem = beyond_bound(scene, made, made.world.stability())) {
       throw io::InputError(scene.file + ": $.time.substeps: " + *problem);
@@ -198,9 +194,7 @@ int run_command(const RunOptions& options) {
   check_paths(options, request, scene);
   io::Simulation made = build_runnable(scene, request);
   std::optional<FrameOutput> frames;
-  if (!options.out.empty()) {
-    frames.emplace(request.frames, scene, made, request.context);
-  }
+  if (!options.out.empty()) frames.emplace(request.frames, scene, made);
   for (const std::string& path : {options.final_file, options.report}) {
     if (!path.empty()) io::probe_output(path);
   }

@@ -14,7 +14,7 @@ namespace {
 constexpr uint64_t most_particles = uint64_t(1) << 30;
 constexpr uint64_t per_particle = 250, per_triangle = 250, per_spring = 100;
 constexpr uint64_t per_collider_triangle = 1200, per_collider_mesh = 50000;
-/// Of positions, velocities and triangles that are read out to be written.
+/// Of positions, velocities and triangles that are read out to be written or drawn.
 constexpr uint64_t per_particle_written = 300;
 
 uint64_t particles(const Scene& scene) {
@@ -71,9 +71,8 @@ uint64_t bytes_to_run(const Scene& scene) {
   return sum;
 }
 
-uint64_t bytes_to_run(const Scene& scene, uint64_t planned, bool pictures) {
-  const uint64_t once = planned + particles(scene) * per_particle_written;
-  return std::max(bytes_to_run(scene), pictures ? 2 * once : once);
+uint64_t bytes_to_run(const Scene& scene, uint64_t planned) {
+  return std::max(bytes_to_run(scene), planned + particles(scene) * per_particle_written);
 }
 
 void require_buildable(const Scene& scene) {

@@ -12,8 +12,8 @@ namespace weft::io {
 /// at least. How much they do in truth is known when the scene is built.
 uint64_t bytes_to_build(const Scene&);
 uint64_t bytes_to_run(const Scene&);
-/// `planned`: what World::plan says. `pictures`: the scene is run twice, and drawn.
-uint64_t bytes_to_run(const Scene&, uint64_t planned, bool pictures);
+/// `planned`: what World::plan says.
+uint64_t bytes_to_run(const Scene&, uint64_t planned);
 
 /// InputError when a world cannot hold so many particles, or this machine not what is built.
 void require_buildable(const Scene&);

@@ -5,6 +5,8 @@
 
 #include <Eigen/Core>
 
+#include <span>
+
 namespace weft::render {
 
 using Eigen::Vector3d;
@@ -21,10 +23,6 @@ struct Box {
     low = low.cwiseMin(point);
     high = high.cwiseMax(point);
   }
-  void add(const Box& other) {
-    low = low.cwiseMin(other.low);
-    high = high.cwiseMax(other.high);
-  }
   Vector3d center() const { return 0.5 * (low + high); }
   double radius() const { return 0.5 * (high - low).norm(); }
   /// The part of this box that is also in `other`.
@@ -34,10 +32,18 @@ struct Box {
   Box grown(double by) const {
     return {low - Vector3d::Constant(by), high + Vector3d::Constant(by)};
   }
+  Box moved(const Vector3d& by) const { return {low + by, high + by}; }
+  Vector3d nearest(const Vector3d& point) const { return point.cwiseMax(low).cwiseMin(high); }
   /// One of the eight corners, by the bits of `i`.
   Vector3d corner(int i) const {
     return {i & 1 ? high.x() : low.x(), i & 2 ? high.y() : low.y(), i & 4 ? high.z() : low.z()};
   }
 };
+
+inline Box box_of(std::span<const double3> points) {
+  Box box;
+  for (const double3& p : points) box.add(vector(p));
+  return box;
+}
 
 }  // namespace weft::render

@@ -1,10 +1,11 @@
-#include "render/creases.h"
+// Normals of a mesh that is smooth here and sharp there.
+#include "render/solids.h"
 
 #include <Eigen/Geometry>
 
 namespace weft::render {
 
-Creased with_creases(const std::vector<Vector3d>& places, const std::vector<uint32_t>& indices) {
+Triangles with_creases(const std::vector<Vector3d>& places, const std::vector<uint32_t>& indices) {
   constexpr double crease = 0.766;
   std::vector<Vector3d> areas;
   std::vector<uint32_t> start(places.size() + 1, 0);  // the corners of vertex v: start[v], ...
@@ -17,11 +18,10 @@ Creased with_creases(const std::vector<Vector3d>& places, const std::vector<uint
   std::vector<uint32_t> corners(3 * areas.size()), next(start.begin(), start.end() - 1);
   for (uint32_t c = 0; c < corners.size(); ++c) corners[next[indices[c]]++] = c;
 
-  Creased creased;
-  Triangles& drawn = creased.triangles;
+  Triangles drawn;
   drawn.indices.resize(corners.size());
   for (size_t v = 0; v < places.size(); ++v) {
-    const size_t first = drawn.vertices.size();
+    const size_t first = drawn.places.size();
     for (uint32_t i = start[v]; i < start[v + 1]; ++i) {
       const Vector3d& own = areas[corners[i] / 3];
       Vector3d sum(0, 0, 0);
@@ -29,18 +29,17 @@ Creased with_creases(const std::vector<Vector3d>& places, const std::vector<uint
         const Vector3d& other = areas[corners[j] / 3];
         if (own.dot(other) >= crease * own.norm() * other.norm()) sum += other;
       }
-      const Vector3f p = places[v].cast<float>(), n = sum.normalized().cast<float>();
-      const std::array<float, 6> vertex{p.x(), p.y(), p.z(), n.x(), n.y(), n.z()};
+      const Vector3d normal = sum.normalized();
       size_t at = first;
-      while (at < drawn.vertices.size() && drawn.vertices[at] != vertex) ++at;
-      if (at == drawn.vertices.size()) {
-        drawn.vertices.push_back(vertex);
-        creased.origins.push_back(uint32_t(v));
+      while (at < drawn.normals.size() && drawn.normals[at] != normal) ++at;
+      if (at == drawn.normals.size()) {
+        drawn.places.push_back(places[v]);
+        drawn.normals.push_back(normal);
       }
       drawn.indices[corners[i]] = uint32_t(at);
     }
   }
-  return creased;
+  return drawn;
 }
 
 }  // namespace weft::render

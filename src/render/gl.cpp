@@ -13,45 +13,34 @@ namespace {
                              ") use another OpenGL driver, or write obj, ply or pc2");
 }
 
-/// Lives until its program is linked.
-class Shader {
- public:
-  Shader(GLenum kind, ShaderText text) : name_(glCreateShader(kind)) {
-    std::vector<const char*> parts{"#version 330 core\n"};
-    parts.insert(parts.end(), text);
-    glShaderSource(name_, GLsizei(parts.size()), parts.data(), nullptr);
-    glCompileShader(name_);
-    GLint good = 0;
-    glGetShaderiv(name_, GL_COMPILE_STATUS, &good);
-    if (!good) {
-      char log[1000] = {};
-      glGetShaderInfoLog(name_, sizeof log, nullptr, log);
-      fail(std::string("the driver refuses a shader: ") + log);
-    }
-  }
-  Shader(const Shader&) = delete;
-  Shader& operator=(const Shader&) = delete;
-  ~Shader() { glDeleteShader(name_); }
-  GLuint name() const { return name_; }
-
- private:
-  GLuint name_;
-};
+void attach(GLuint program, GLenum kind, ShaderText text) {
+  const GLuint shader = glCreateShader(kind);
+  glAttachShader(program, shader);
+  glDeleteShader(shader);  // when it is attached to nothing
+  std::vector<const char*> parts{"#version 330 core\n"};
+  parts.insert(parts.end(), text);
+  glShaderSource(shader, GLsizei(parts.size()), parts.data(), nullptr);
+  glCompileShader(shader);
+  GLint good = 0;
+  glGetShaderiv(shader, GL_COMPILE_STATUS, &good);
+  if (good) return;
+  char log[1000] = {};
+  glGetShaderInfoLog(shader, sizeof log, nullptr, log);
+  fail(std::string("the driver refuses a shader: ") + log);
+}
 
 }  // namespace
 
 Program::Program(ShaderText vertex, ShaderText fragment) : name_(glCreateProgram()) {
-  const Shader vertices(GL_VERTEX_SHADER, vertex), fragments(GL_FRAGMENT_SHADER, fragment);
-  glAttachShader(name_, vertices.name());
-  glAttachShader(name_, fragments.name());
+  attach(name_, GL_VERTEX_SHADER, vertex);
+  attach(name_, GL_FRAGMENT_SHADER, fragment);
   glLinkProgram(name_);
   GLint good = 0;
   glGetProgramiv(name_, GL_LINK_STATUS, &good);
-  if (!good) {
-    char log[1000] = {};
-    glGetProgramInfoLog(name_, sizeof log, nullptr, log);
-    fail(std::string("the driver cannot link two shaders: ") + log);
-  }
+  if (good) return;
+  char log[1000] = {};
+  glGetProgramInfoLog(name_, sizeof log, nullptr, log);
+  fail(std::string("the driver cannot link two shaders: ") + log);
 }
 
 void Program::set(const char* uniform, const Eigen::Matrix4f& value) const {
@@ -61,7 +50,6 @@ void Program::set(const char* uniform, const Eigen::Vector3f& value) const {
   glUniform3fv(at(uniform), 1, value.data());
 }
 void Program::set(const char* uniform, float value) const { glUniform1f(at(uniform), value); }
-void Program::set(const char* uniform, int value) const { glUniform1i(at(uniform), value); }
 
 void fill(const Buffer& buffer, GLenum target, const void* bytes, size_t size, GLenum use) {
   glBindBuffer(target, buffer.name());

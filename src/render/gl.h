@@ -34,25 +34,6 @@ using Texture = Owned<glGenTextures, glDeleteTextures>;
 using Renderbuffer = Owned<glGenRenderbuffers, glDeleteRenderbuffers>;
 using Framebuffer = Owned<glGenFramebuffers, glDeleteFramebuffers>;
 
-/// Remembers whether anything that was drawn between begin() and end() was to be seen.
-class Witness {
- public:
-  void begin() const { glBeginQuery(GL_ANY_SAMPLES_PASSED, query_.name()); }
-  void end() {
-    glEndQuery(GL_ANY_SAMPLES_PASSED);
-    GLuint passed = 0;
-    glGetQueryObjectuiv(query_.name(), GL_QUERY_RESULT, &passed);
-    ++asked_;
-    passed_ = passed_ || passed != 0;
-  }
-  bool never_passed() const { return asked_ > 0 && !passed_; }
-
- private:
-  Owned<glGenQueries, glDeleteQueries> query_;
-  size_t asked_ = 0;
-  bool passed_ = false;
-};
-
 /// The text of a shader: functions, and what uses them.
 using ShaderText = std::initializer_list<const char*>;
 
@@ -68,7 +49,6 @@ class Program {
   void set(const char* uniform, const Eigen::Matrix4f& value) const;
   void set(const char* uniform, const Eigen::Vector3f& value) const;
   void set(const char* uniform, float value) const;
-  void set(const char* uniform, int value) const;
 
  private:
   GLint at(const char* uniform) const { return glGetUniformLocation(name_, uniform); }

@@ -6,12 +6,11 @@
 
 namespace weft::render {
 
-/// Triangles in buffers of their own.
+/// Triangles relative to the picture's origin, in buffers of their own.
 class Model {
  public:
-  explicit Model(const Triangles&);
-  void draw() const;
-  void draw_instances(size_t count) const;
+  Model(const Triangles&, const Vector3d& origin);
+  void draw(size_t instances = 1) const;
   const VertexArray& array() const { return array_; }
 
  private:

@@ -1,13 +1,12 @@
 // Draws the state of a scene.
 #pragma once
 
-#include "render/framing.h"
 #include "render/image.h"
-#include "render/reach.h"
+
+#include "io/scene.h"
+#include "io/surface.h"
 
 #include <memory>
-#include <string>
-#include <vector>
 
 namespace weft::render {
 
@@ -15,14 +14,11 @@ namespace weft::render {
 class Painter {
  public:
   /// `start`: the surface of the first picture, with normals. Keeps a reference to nothing.
-  Painter(const io::Scene&, const io::Surface& start, const Framing&, const Reach&);
+  Painter(const io::Scene&, const io::Surface& start);
   ~Painter();
 
   /// `surface`: as `start`, with new positions and normals; `time` in seconds places the colliders.
   Image draw(const io::Surface& surface, double time);
-
-  /// What is wrong with the pictures so far: a line each, with path, reason and remedy.
-  std::vector<std::string> problems() const;
 
  private:
   struct Parts;

@@ -8,7 +8,6 @@ layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
 layout(location = 2) in vec3 weave;
 layout(location = 3) in vec3 weave_normal;
-uniform mat4 camera;
 out vec3 at, facing, weave_at, weave_facing;
 out float open;
 void main() {
@@ -16,60 +15,52 @@ void main() {
   facing = normal;
   weave_at = weave;
   weave_facing = weave_normal;
-  open = lit(position, dot(normal, light) > 0.0 ? normal : -normal);
-  gl_Position = camera * vec4(position, 1.0);
-}
-)";
-
-const char* const caster_vertices = R"(
-layout(location = 0) in vec3 position;
-uniform mat4 camera;
-void main() {
-  gl_Position = camera * vec4(position, 1.0);
-  gl_ClipDistance[0] = above_ground(position);
+  open = lit(position, dot(normal, light) > 0.0 ? normal : -normal, 1, 1.7);
+  gl_Position = before(position);
 }
 )";
 
 const char* const solid_vertices = R"(
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
-uniform mat4 camera, model, turned;
+uniform mat4 camera;
+uniform vec3 moved;
 out vec3 at, facing;
 void main() {
-  at = (model * vec4(position, 1.0)).xyz;
-  facing = mat3(turned) * normal;
+  at = position + moved;
+  facing = normal;
   gl_Position = camera * vec4(at, 1.0);
   gl_ClipDistance[0] = above_ground(at);
 }
 )";
 
-const char* const capsule_vertices = R"(
+const char* const bar_vertices = R"(
 layout(location = 0) in vec3 position;
-layout(location = 1) in vec3 end;
+layout(location = 1) in vec3 normal;
 layout(location = 4) in vec3 a;
 layout(location = 5) in vec3 b;
 layout(location = 6) in float radius;
-uniform mat4 camera;
 out vec3 at, facing;
 void main() {
   vec3 along = b - a;
   float reach = length(along);
   vec3 w = reach > 0.0 ? along / reach : vec3(0.0, 0.0, 1.0);
   vec3 u = normalize(cross(abs(w.x) < 0.7 ? vec3(1.0, 0.0, 0.0) : vec3(0.0, 1.0, 0.0), w));
-  facing = position.x * u + position.y * cross(w, u) + position.z * w;
-  at = mix(a, b, end.x) + radius * facing;
-  gl_Position = camera * vec4(at, 1.0);
+  facing = normal.x * u + normal.y * cross(w, u) + normal.z * w;
+  at = (position.z > 0.0 ? b : a) + radius * facing;
+  gl_Position = before(at);
   gl_ClipDistance[0] = above_ground(at);
 }
 )";
 
 const char* const ground_vertices = R"(
-uniform mat4 camera, model;
+uniform mat4 camera;
+uniform vec3 middle, across, normal;
 out vec3 at;
 out vec2 away;
 void main() {
   away = vec2(gl_VertexID & 1, gl_VertexID >> 1) * 2.0 - 1.0;
-  at = (model * vec4(away, 0.0, 1.0)).xyz;
+  at = middle + away.x * across + away.y * cross(normal, across);
   gl_Position = camera * vec4(at, 1.0);
 }
 )";
@@ -88,29 +79,44 @@ uniform vec3 ground, ground_normal;
 float above_ground(vec3 p) { return dot(p - ground, ground_normal); }
 )";
 
+// Where a point is in the picture; it hides what is up to `lift` before it, as if it were there.
+const char* const depth_functions = R"(
+uniform mat4 camera;
+uniform vec3 eye;
+uniform float lift;
+vec4 before(vec3 p) {
+  vec4 at = camera * vec4(p, 1.0);
+  float part = min(lift / (distance(p, eye) + 1e-30), 0.5);
+  vec4 nearer = camera * vec4(mix(p, eye, part), 1.0);
+  return vec4(at.xy, nearer.z / nearer.w * at.w, at.w);
+}
+)";
+
 const char* const no_fragments = R"(
 void main() {}
 )";
 
-// How much of the light reaches a point: the mean of nine looks at the shadow map around it; all
-// where the map ends.
+// How much of the light reaches a point: the mean of looks at the shadow map around it, of
+// (2 reach + 1)^2 that are `apart` texels from each other; all where the map ends.
 const char* const shadow_functions = R"(
 uniform vec3 light;
 uniform mat4 shadow;
 uniform sampler2DShadow depth;
 uniform float texel;
 
-float lit(vec3 p, vec3 n) {
+float lit(vec3 p, vec3 n, int reach, float apart) {
   vec4 q = shadow * vec4(p + n * 2.0 * texel, 1.0);
   vec3 s = q.xyz * 0.5 + 0.5;
-  float sum = 0.0;
-  for (int y = 0; y < 3; ++y) {
-    for (int x = 0; x < 3; ++x) {
-      vec2 tap = (vec2(x, y) - 1.0) * 1.7 / vec2(textureSize(depth, 0));
+  float edge = max(abs(q.x), abs(q.y)), sum = 0.0;
+  if (edge > 1.0) return 1.0;
+  for (int y = -reach; y <= reach; ++y) {
+    for (int x = -reach; x <= reach; ++x) {
+      vec2 tap = vec2(x, y) * apart / vec2(textureSize(depth, 0));
       sum += texture(depth, vec3(s.xy + tap, s.z - 0.0008));
     }
   }
-  return mix(sum / 9.0, 1.0, smoothstep(0.985, 1.0, max(abs(q.x), abs(q.y))));
+  float mean = sum / float((2 * reach + 1) * (2 * reach + 1));
+  return mix(mean, 1.0, smoothstep(0.95, 1.0, edge));
 }
 )";
 
@@ -139,7 +145,7 @@ const char* const cloth_fragments = R"(
 in vec3 at, facing, weave_at, weave_facing;
 in float open;
 uniform vec3 ground_colour, stripe_colour, line_colour;
-uniform float threads, stripes;
+uniform float stripes;
 out vec4 pixel;
 
 // Bands across one direction: 1 in a broad band, and a narrow line between two of them.
@@ -159,7 +165,7 @@ vec3 dyed(vec2 b) {
 // to the mean of both threads.
 vec3 woven(vec2 uv) {
   vec3 warp = dyed(bands(uv.x * stripes)), weft = dyed(bands(uv.y * stripes));
-  vec2 t = uv * threads;
+  vec2 t = uv * stripes * 24.0;
   vec2 wide = fwidth(t);
   float fine = 1.0 - smoothstep(0.2, 0.6, max(wide.x, wide.y));
   float over = step(mod(floor(t.x) + floor(t.y), 4.0), 1.5);
@@ -188,7 +194,7 @@ void main() {
   vec3 n = normalize(facing + vec3(0.0, 0.0, 1e-12));
   vec3 v = normalize(eye - at);
   if (dot(n, v) < 0.0 && !gl_FrontFacing) n = -n;
-  float open = lit(at, n);
+  float open = lit(at, n, 1, 1.7);
   float gloss = pow(max(dot(n, normalize(light + v)), 0.0), 40.0) * 0.12;
   pixel = encoded(shade(colour, at, n, open, 0.1, 0.05) + gloss * open, 1.0);
 }
@@ -197,17 +203,10 @@ void main() {
 const char* const ground_fragments = R"(
 in vec3 at;
 in vec2 away;
-uniform sampler2D soft;
 uniform vec3 normal;
 out vec4 pixel;
 void main() {
-  vec4 q = shadow * vec4(at, 1.0);
-  vec2 s = q.xy * 0.5 + 0.5;
-  float inside = 1.0 - smoothstep(0.95, 1.0, max(abs(q.x), abs(q.y)));
-  float covered = texture(soft, s).r * inside;
-  float direct = 0.35 * mix(1.0, lit(at, normal), inside) + 0.65 * (1.0 - covered);
-  float sky = 1.0 - 0.35 * covered;
-  vec3 colour = vec3(0.80, 0.79, 0.77) * (0.44 * sky + 0.62 * direct);
+  vec3 colour = vec3(0.80, 0.79, 0.77) * (0.35 + 0.71 * lit(at, normal, 2, 3.5));
   float fade = 1.0 - smoothstep(0.12, 1.0, length(away));
   pixel = encoded(colour, fade * fade);
 }
@@ -219,28 +218,6 @@ out vec4 pixel;
 void main() {
   vec3 low = vec3(0.925, 0.925, 0.920), high = vec3(0.770, 0.815, 0.865);
   pixel = vec4(mix(low, high, smoothstep(0.25, 1.0, across.y)), 1.0);
-}
-)";
-
-// The first of two passes reads the depth map: covered where anything is nearer than its end.
-const char* const blur_fragments = R"(
-in vec2 across;
-uniform sampler2DShadow depth;
-uniform sampler2D half_done;
-uniform vec3 step_by;
-uniform int first;
-out vec4 pixel;
-void main() {
-  float sum = 0.0, weights = 0.0;
-  for (int i = -7; i <= 7; ++i) {
-    float weight = exp(-float(i * i) / 18.0);
-    vec2 tap = across + step_by.xy * float(i);
-    float covered = first == 1 ? 1.0 - texture(depth, vec3(tap, 0.9999))
-                               : texture(half_done, tap).r;
-    sum += weight * covered;
-    weights += weight;
-  }
-  pixel = vec4(sum / weights);
 }
 )";
 

@@ -1,7 +1,5 @@
 #include "render/stage.h"
 
-#include "render/solids.h"
-
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -52,41 +50,50 @@ void place_light(const Axes& view, const Vector3d& up, Stage& stage) {
                  looking(axes_of(light, std::abs(light.dot(up)) > 0.99 ? level : up), {0, 0, 0});
 }
 
-void place_ground(const io::Scene& scene, const Vector3d& up, double gap, Stage& stage) {
+void place_ground(const std::vector<Solid>& solids, const Box& seen, Stage& stage) {
+  const Vector3d up = stage.up.cast<double>();
   double lowest = 1e300;
-  for (int i = 0; i < 8; ++i) lowest = std::min(lowest, up.dot(stage.seen.corner(i)));
-  Vector3d normal = up;
-  double offset = lowest - gap;
-  if (const PlaneDesc* plane = ground_plane(scene, up)) {
-    const double length = vector(plane->normal).norm();
-    normal = vector(plane->normal) / length;
-    offset = plane->offset / length - 0.02 * gap;
-    stage.ground_velocity = (normal.dot(vector(plane->velocity)) * normal).cast<float>();
+  for (int i = 0; i < 8; ++i) lowest = std::min(lowest, up.dot(seen.corner(i) - stage.origin));
+  stage.ground = (lowest * up).cast<float>();
+  stage.ground_normal = stage.up;
+  for (const Solid& solid : solids) {
+    if (solid.kind != Solid::Kind::ground) continue;
+    const Vector3d normal = solid.surface.normals[0];
+    stage.floor = false;
+    stage.ground = (normal.dot(solid.surface.places[0] - stage.origin) * normal).cast<float>();
+    stage.ground_normal = normal.cast<float>();
+    stage.ground_velocity = (normal.dot(solid.velocity) * normal).cast<float>();
   }
-  stage.ground = ((offset - normal.dot(stage.origin)) * normal).cast<float>();
-  stage.ground_normal = normal.cast<float>();
 }
 
 }  // namespace
 
-Stage make_stage(const io::Scene& scene, Framing framing) {
-  if (framing.box().radius() < 1e-9) framing.add(framing.box().center(), 1e-3);  // a point at rest
+Stage make_stage(const io::Scene& scene, const io::Surface& start,
+                 const std::vector<Solid>& solids) {
+  Framing framing(scene, start);
+  add_cloths(scene, start, solids, framing);
   const double size = framing.box().radius();
-  add_colliders(scene, framing);
+  if (size < 1e-9) {  // a point at rest
+    const Vector3d point = framing.box().center(), up = 1e-3 * framing.axes().up;
+    framing.add(point + up);
+    framing.add(point - up);
+  }
+  add_colliders(solids, scene.time.duration, framing);
+  const Box seen = framing.box().grown(0.01 * size);
   Stage stage;
-  stage.seen = framing.box().grown(0.01 * size);
-  stage.origin = stage.seen.center();
-  stage.radius = float(stage.seen.radius());
-  const Vector3d eye =
-      (scene.camera.eye ? vector(*scene.camera.eye) : framing.eye()) - stage.origin;
-  stage.eye = eye.cast<float>();
-  const double radius = stage.radius, distance = eye.norm();
-  const double near = std::clamp(0.7 * framing.nearest(), nearest_drawn(radius),
-                                 std::max(0.01 * radius, distance - 3 * radius));
-  stage.camera = perspective(framing, near, distance + 40 * radius) * looking(framing.axes(), eye);
-  const Vector3d up = up_of(scene);
-  place_light(framing.axes(), up, stage);
-  place_ground(scene, up, 0.01 * size, stage);
+  stage.origin = seen.center();
+  stage.radius = float(seen.radius());
+  const Vector3d eye = scene.camera.eye ? vector(*scene.camera.eye) : framing.eye();
+  const Vector3d from = eye - stage.origin;
+  stage.eye = from.cast<float>();
+  // What comes nearer than a part of the way to all that is expected is cut off.
+  const double away = (framing.box().nearest(eye) - eye).norm();
+  const double near = std::max(3e-4 * seen.radius(), 0.05 * away);
+  const double far = from.norm() + 40 * seen.radius();
+  stage.camera = perspective(framing, near, far) * looking(framing.axes(), from);
+  stage.up = up_of(scene).cast<float>();
+  place_light(framing.axes(), up_of(scene), stage);
+  place_ground(solids, seen, stage);
   return stage;
 }
 

@@ -11,19 +11,16 @@ namespace weft::render {
 /// digits; matrices go from there to clip coordinates.
 struct Stage {
   Vector3d origin;
-  Box seen;        ///< all that moves, and the colliders near it
-  float radius;    ///< of a ball around `origin` that holds it
-  Vector3f eye;    ///< of the camera
-  Vector3f light;  ///< unit, towards it
+  float radius;        ///< of a ball around `origin` that holds all that is expected to be seen
+  Vector3f eye;        ///< of the camera
+  Vector3f light, up;  ///< unit; towards the light
   Eigen::Matrix4f camera, shadow;
   Vector3f ground, ground_normal;  ///< a point of it at the start, and where its upper side faces
   Vector3f ground_velocity{0, 0, 0};  ///< along the normal
+  bool floor = true;                  ///< the ground is none of the scene: nothing goes below it
 };
 
-/// m in front of the eye: what is nearer is not drawn. `radius` is that of all that is seen.
-inline double nearest_drawn(double radius) { return 3e-4 * radius; }
-
-/// The ground is the scene's plane that faces up, or a floor below all.
-Stage make_stage(const io::Scene&, Framing);
+/// The ground is the scene's plane that faces up, or a floor below what is expected to be seen.
+Stage make_stage(const io::Scene&, const io::Surface& start, const std::vector<Solid>&);
 
 }  // namespace weft::render

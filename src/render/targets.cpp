@@ -5,20 +5,6 @@
 namespace weft::render {
 namespace {
 
-void allocate_texture(const Texture& texture, GLenum inner, int size, GLenum format, GLenum type) {
-  glBindTexture(GL_TEXTURE_2D, texture.name());
-  glTexImage2D(GL_TEXTURE_2D, 0, GLint(inner), size, size, 0, format, type, nullptr);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-}
-
-void attach_texture(const Framebuffer& target, GLenum place, const Texture& texture) {
-  glBindFramebuffer(GL_FRAMEBUFFER, target.name());
-  glFramebufferTexture2D(GL_FRAMEBUFFER, place, GL_TEXTURE_2D, texture.name(), 0);
-}
-
 void attach_buffer(GLenum place, const Renderbuffer& buffer, int samples, GLenum format,
                    uint32_t width, uint32_t height) {
   glBindRenderbuffer(GL_RENDERBUFFER, buffer.name());
@@ -27,59 +13,31 @@ void attach_buffer(GLenum place, const Renderbuffer& buffer, int samples, GLenum
   glFramebufferRenderbuffer(GL_FRAMEBUFFER, place, GL_RENDERBUFFER, buffer.name());
 }
 
-void bind_texture(GLenum unit, const Texture& texture) {
-  glActiveTexture(unit);
-  glBindTexture(GL_TEXTURE_2D, texture.name());
-}
-
 }  // namespace
 
 ShadowMap::ShadowMap() {
-  allocate_texture(depth_, GL_DEPTH_COMPONENT24, size, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT);
+  glBindTexture(GL_TEXTURE_2D, depth_.name());
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, size, size, 0, GL_DEPTH_COMPONENT,
+               GL_UNSIGNED_INT, nullptr);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
-  allocate_texture(half_done_, GL_R8, soft_size, GL_RED, GL_UNSIGNED_BYTE);
-  allocate_texture(soft_, GL_R8, soft_size, GL_RED, GL_UNSIGNED_BYTE);
-  attach_texture(depth_target_, GL_DEPTH_ATTACHMENT, depth_);
+  glBindFramebuffer(GL_FRAMEBUFFER, target_.name());
+  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, depth_.name(), 0);
   glDrawBuffer(GL_NONE);
   glReadBuffer(GL_NONE);
   require_framebuffer("a depth texture");
-  attach_texture(half_target_, GL_COLOR_ATTACHMENT0, half_done_);
-  attach_texture(soft_target_, GL_COLOR_ATTACHMENT0, soft_);
-  require_framebuffer("a texture");
 }
 
 void ShadowMap::begin() const {
-  glBindFramebuffer(GL_FRAMEBUFFER, depth_target_.name());
+  glBindFramebuffer(GL_FRAMEBUFFER, target_.name());
   glViewport(0, 0, size, size);
-  glDisable(GL_BLEND);
   glEnable(GL_DEPTH_TEST);
   glEnable(GL_POLYGON_OFFSET_FILL);
   glPolygonOffset(2, 4);
   glClear(GL_DEPTH_BUFFER_BIT);
-}
-
-void ShadowMap::soften(const Program& blur, const VertexArray& nothing) const {
-  glDisable(GL_DEPTH_TEST);
-  glDisable(GL_POLYGON_OFFSET_FILL);
-  glViewport(0, 0, soft_size, soft_size);
-  glBindVertexArray(nothing.name());
-  blur.use();
-  blur.set("depth", 0);
-  blur.set("half_done", 1);
-  bind_texture(GL_TEXTURE0, depth_);
-  bind_texture(GL_TEXTURE1, half_done_);
-  for (const bool first : {true, false}) {
-    glBindFramebuffer(GL_FRAMEBUFFER, (first ? half_target_ : soft_target_).name());
-    blur.set("first", int(first));
-    const float step = 1.0f / soft_size;
-    blur.set("step_by", Eigen::Vector3f(first ? step : 0, first ? 0 : step, 0));
-    glDrawArrays(GL_TRIANGLES, 0, 3);
-  }
-}
-
-void ShadowMap::bind() const {
-  bind_texture(GL_TEXTURE0, depth_);
-  bind_texture(GL_TEXTURE1, soft_);
 }
 
 Canvas::Canvas(uint32_t width, uint32_t height) : width_(width), height_(height) {

@@ -1,4 +1,4 @@
-// What is drawn to: the shadow map, its blurred copy, and the picture.
+// What is drawn to: the shadow map and the picture.
 #pragma once
 
 #include "render/gl.h"
@@ -6,20 +6,17 @@
 
 namespace weft::render {
 
-/// Depth from the light's side, compared when it is read.
+/// Depth from the light's side, compared when it is read; the texture of unit 0.
 class ShadowMap {
  public:
-  static constexpr int size = 1024, soft_size = 128;
+  static constexpr int size = 1024;
 
   ShadowMap();
   void begin() const;  ///< the next draws go to the map
-  /// Fills the soft copy; `blur` runs twice over a vertex array without attributes.
-  void soften(const Program& blur, const VertexArray& nothing) const;
-  void bind() const;  ///< unit 0: the map; unit 1: its soft copy
 
  private:
-  Texture depth_, half_done_, soft_;
-  Framebuffer depth_target_, half_target_, soft_target_;
+  Texture depth_;
+  Framebuffer target_;
 };
 
 /// Four samples per pixel where the driver has them.

@@ -10,9 +10,9 @@
 #include <array>
 #include <cerrno>
 #include <csignal>
-#include <cstdlib>
 #include <cstring>
-#include <filesystem>
+#include <iomanip>
+#include <iterator>
 #include <sstream>
 #include <vector>
 
@@ -29,30 +29,15 @@ struct Ends {
 constexpr int film_descriptor = 3;
 constexpr const char* film = "file:/dev/fd/3";
 
-/// ffmpeg's arguments: raw pictures in, H.264 that every player knows out. Its picture has even
-/// sides, so an odd one is padded.
-std::vector<std::string> arguments(uint32_t width, uint32_t height, double rate) {
-  std::array<char, 40> rate_text{};
-  std::snprintf(rate_text.data(), rate_text.size(), "%.9g", rate);
-  return {"ffmpeg",      "-nostdin",
-          "-loglevel",   "error",
-          "-f",          "rawvideo",
-          "-pix_fmt",    "rgb24",
-          "-video_size", std::to_string(width) + "x" + std::to_string(height),
-          "-framerate",  rate_text.data(),
-          "-i",          "pipe:0",
-          "-vf",         "pad=ceil(iw/2)*2:ceil(ih/2)*2",
-          "-c:v",        "libx264",
-          "-pix_fmt",    "yuv420p",
-          "-crf",        "20",
-          "-movflags",   "+faststart",
-          "-f",          "mp4",
-          "-y",          film};
-}
-
-[[noreturn]] void fail_without(const std::string& film, int code) {
-  throw io::UnavailableError(film + ": films cannot be made (ffmpeg: " + std::strerror(code) +
-                             ") install it, for example apt-get install ffmpeg, or write png");
+/// Raw pictures in, H.264 that every player knows out. Its picture has even sides, so an odd one is
+/// padded.
+std::vector<std::string> command(uint32_t width, uint32_t height, double rate) {
+  std::stringstream line;
+  line << "ffmpeg -nostdin -loglevel error -f rawvideo -pix_fmt rgb24 -video_size " << width << "x"
+       << height << " -framerate " << std::setprecision(9) << rate << " -i pipe:0 "
+       << "-vf pad=ceil(iw/2)*2:ceil(ih/2)*2 -c:v libx264 -pix_fmt yuv420p -crf 20 "
+       << "-movflags +faststart -f mp4 -y " << film;
+  return {std::istream_iterator<std::string>(line), {}};
 }
 
 /// Starts ffmpeg; an error number.
@@ -78,15 +63,6 @@ int start(const std::vector<std::string>& words, const Ends& ends, pid_t& proces
 
 }  // namespace
 
-void require_films(const std::string& film) {
-  const char* const folders = std::getenv("PATH");
-  std::istringstream list(folders ? folders : "");
-  for (std::string folder; std::getline(list, folder, ':');) {
-    if (::access((folder + "/ffmpeg").c_str(), X_OK) == 0) return;
-  }
-  fail_without(film, ENOENT);
-}
-
 Video::Video(const std::string& path, uint32_t width, uint32_t height, double frames_per_second)
     : path_(path), temporary_(path), complaints_(std::tmpfile(), std::fclose) {
   if (!complaints_) fail(std::strerror(errno));
@@ -98,37 +74,33 @@ Video::Video(const std::string& path, uint32_t width, uint32_t height, double fr
     fail(std::strerror(errno));
   }
   pipe_ = ends[1];
-  const int code = start(arguments(width, height, frames_per_second),
+  const int code = start(command(width, height, frames_per_second),
                          {ends[0], ::fileno(complaints_.get()), file}, encoder_);
   ::close(ends[0]);
   ::close(file);
   if (code == 0) return;
   encoder_ = -1;
   discard();
-  fail_without(path_, code);
+  throw io::UnavailableError(path_ + ": films cannot be made (ffmpeg: " + std::strerror(code) +
+                             ") install it, for example apt-get install ffmpeg, or write png");
 }
 
 Video::~Video() { discard(); }
 
 void Video::add(const Image& image) {
-  const auto old_handler = std::signal(SIGPIPE, SIG_IGN);  // an ffmpeg that ended is an error code
   const uint8_t* at = image.rgb.data();
   size_t left = image.rgb.size();
-  int failure = 0;
-  while (left > 0 && failure == 0) {
+  while (left > 0) {
     const ssize_t done = ::write(pipe_, at, left);
-    if (done < 0 && errno == EINTR) continue;
-    if (done < 0) {
-      failure = errno;
-    } else {
+    if (done >= 0) {
       at += done;
       left -= size_t(done);
+    } else if (errno != EINTR) {
+      const std::string why = std::strerror(errno);
+      wait();
+      fail("ffmpeg takes no more pictures: " + why + complaint());
     }
   }
-  std::signal(SIGPIPE, old_handler);
-  if (failure == 0) return;
-  wait();
-  fail(std::string("ffmpeg takes no more pictures: ") + std::strerror(failure) + complaint());
 }
 
 // A full disk at the end of a film is no error to ffmpeg, but it complains.

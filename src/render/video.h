@@ -13,11 +13,8 @@
 
 namespace weft::render {
 
-/// UnavailableError, naming the film, where there is no ffmpeg.
-void require_films(const std::string& film);
-
 /// An H.264 film in an MP4 file, which appears whole or not at all. UnavailableError where there is
-/// no ffmpeg; OutputError when it fails.
+/// no ffmpeg; OutputError when it fails, as far as the program ignores SIGPIPE.
 class Video {
  public:
   Video(const std::string& path, uint32_t width, uint32_t height, double frames_per_second);

@@ -10,6 +10,9 @@ if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
 endif()
 set(WEFT_ISA_LEVELS "${levels}" CACHE STRING "x86-64 levels of the host kernels; v2 runs everywhere")
 
+set(WEFT_KERNELS_FROM "" CACHE PATH
+  "Build folder of the same compiler and flags whose host kernels are linked instead of compiled ones")
+
 # One copy of the host kernels in namespace NS; MARCH may be empty.
 function(weft_add_host_kernels target ns march)
   add_library(${target} OBJECT ${PROJECT_SOURCE_DIR}/src/omp/backend.cpp)
@@ -37,7 +40,14 @@ function(weft_add_backends target)
     if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
       set(march x86-64-${level})
     endif()
-    weft_add_host_kernels(weft_omp_${level} omp_${level} "${march}")
+    if(WEFT_KERNELS_FROM)
+      add_library(weft_omp_${level} OBJECT IMPORTED GLOBAL)
+      get_filename_component(folder ${WEFT_KERNELS_FROM} ABSOLUTE BASE_DIR ${CMAKE_SOURCE_DIR})
+      set_target_properties(weft_omp_${level} PROPERTIES IMPORTED_OBJECTS
+        ${folder}/src/CMakeFiles/weft_omp_${level}.dir/omp/backend.cpp${CMAKE_CXX_OUTPUT_EXTENSION})
+    else()
+      weft_add_host_kernels(weft_omp_${level} omp_${level} "${march}")
+    endif()
     target_sources(${target} PRIVATE $<TARGET_OBJECTS:weft_omp_${level}>)
     target_compile_definitions(${target} PRIVATE WEFT_HAVE_OMP_${level})
   endforeach()

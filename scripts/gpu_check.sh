@@ -46,7 +46,6 @@ weft=$build/tools/weft
 
 is_unprepared() { [[ $again == true || ! -d "$packages" ]]; }
 have_gpu() { nvidia-smi -L >/dev/null 2>&1; }
-have_nvcc() { command -v nvcc >/dev/null || [[ -x "${CUDA_HOME:-/usr/local/cuda}/bin/nvcc" ]]; }
 
 # Copies what distribution packages installed, below one prefix.
 prepare() {
@@ -76,16 +75,8 @@ prepare() {
   fi
 }
 
-# The device's own architecture, or the oldest one that is supported.
-architecture() {
-  local capability
-  capability=$(nvidia-smi --query-gpu=compute_cap --format=csv,noheader 2>/dev/null | head -n 1)
-  capability=${capability//./}
-  [[ "$capability" =~ ^[0-9]+$ ]] && echo "$capability" || echo 80
-}
-
 build() {
-  local options=(-B "$build" -DCMAKE_CUDA_ARCHITECTURES="$(architecture)"
+  local options=(-B "$build" -DCMAKE_CUDA_ARCHITECTURES="$(cuda_architecture)"
                  -DWEFT_WARNINGS_AS_ERRORS="${WARNINGS_AS_ERRORS:-OFF}")
   [[ ! -d "$packages" ]] || options+=(-DCMAKE_PREFIX_PATH="$packages/usr")
   command -v ninja >/dev/null || options+=(-G "Unix Makefiles")
@@ -178,7 +169,7 @@ describe_machine() {
 }
 
 limited() {  # STAGE: in a shell of its own, so that a limit can end it
-  export -f "$1" architecture test_targets have_nvcc
+  export -f "$1" cuda_architecture test_targets have_nvcc
   local script
   script=$(declare -p packages results build jobs weft test_folders WEFT_GPU_BENCH_OPTIONS)
   local status=0

@@ -1,5 +1,18 @@
 # shellcheck shell=bash
-# Stages of a script: each under a heading, timed, its failure remembered. For `source`.
+# Stages of a script: each under a heading, timed, its failure remembered; and what scripts ask of a
+# machine. For `source`.
+
+have_nvcc() { command -v nvcc >/dev/null || [[ -x "${CUDA_HOME:-/usr/local/cuda}/bin/nvcc" ]]; }
+
+# What the environment names, the device's own architecture, or 80.
+cuda_architecture() {
+  local capability
+  capability=$(nvidia-smi --query-gpu=compute_cap --format=csv,noheader 2>/dev/null |
+    head -n 1 || true)
+  capability=${capability//./}
+  [[ "$capability" =~ ^[0-9]+$ ]] || capability=80
+  echo "${CUDA_ARCHITECTURES:-$capability}"
+}
 
 stage_lines=()
 stage_failed=0

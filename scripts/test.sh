@@ -1,11 +1,14 @@
 #!/usr/bin/env bash
 # Builds weft and runs its tests, in every way this machine can.
 # usage: scripts/test.sh [--quick | STAGE...]
-#   --quick  only the release build and all of its tests
+#   --quick  only an optimised build for the host and all of its tests, in build/quick
 #   STAGE    only these, for example: scripts/test.sh asan tsan
 # Stages: setup, docs (needs mkdocs), release, cuda (needs nvcc), hip (needs hipcc), packaging,
-# debug, and clang, asan and tsan (need clang++). A stage that fails does not stop the next one; the
-# script fails if any of them did.
+# debug, quick, and clang, asan and tsan (need clang++); all but quick run by default. A stage that
+# fails does not stop the next one; the script fails if any of them did.
+#
+# release compiles each file alone, with the CUDA back end where there is nvcc. The other stages
+# compile the files of a folder as one; hip and packaging take the host's kernels from release.
 # shellcheck disable=SC2317  # the stages are called by name
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -16,10 +19,30 @@ export OMP_WAIT_POLICY=passive  # a waiting thread must not take the core of one
 export CTEST_PARALLEL_LEVEL=$jobs
 
 have() { command -v "$1" >/dev/null; }
-have_nvcc() { have nvcc || [[ -x "${CUDA_HOME:-/usr/local/cuda}/bin/nvcc" ]]; }
 
 configure() {  # PRESET [-D...]
   cmake --preset "$1" -DWEFT_WARNINGS_AS_ERRORS=ON "${@:2}"
+}
+
+unity=(-DCMAKE_UNITY_BUILD=ON)
+bare=(-DWEFT_BUILD_BENCH=OFF -DWEFT_BUILD_PICTURES=OFF)  # what others of g++ compile already
+kernels_of_release=(-DWEFT_KERNELS_FROM=build/release)
+
+configure_release() {
+  if have_nvcc; then
+    configure cuda -B build/release -DCMAKE_CUDA_ARCHITECTURES="$(cuda_architecture)"
+  else
+    configure release
+  fi
+}
+
+compile_release() {  # [TARGET...]
+  configure_release
+  compile release "$@"
+}
+
+compile_kernels() {
+  compile_release weft_omp_v2 weft_omp_v3 weft_omp_v4
 }
 
 compile() {  # PRESET [TARGET...]; a folder's targets are FOLDER/all
@@ -34,20 +57,17 @@ run_tests() {  # PRESET [ctest options]
   keep_summary "$1" "$log"
 }
 
-# The bits of a run do not depend on compiler, optimisation or device.
+# The bits of a run do not depend on compiler, optimisation, instruction level or device.
 same_bits() {  # PRESET TOOL_OPTIONS...
   local scene name want got
-  if [[ ! -x build/release/tools/weft ]]; then
-    configure release
-    compile release weft_cli
-  fi
+  compile_release weft_cli
   for scene in samples/scenes/*.json; do
     name=$(basename "$scene" .json)
-    want=$(state_hash release "$scene" --backend omp)
+    want=$(state_hash release "$scene" --backend omp --isa v2)
     got=$(state_hash "$@" "$scene")
-    echo "$name: release $want, $1 $got"
+    echo "$name: host of release $want, $1 $got"
     if [[ "$want" != "$got" ]]; then
-      echo "$1 gives other bits than release on $scene" >&2
+      echo "$1 gives other bits than the host of release on $scene" >&2
       return 1
     fi
   done
@@ -71,25 +91,32 @@ docs() {
 }
 
 release() {
-  configure release
-  compile release
+  compile_release
   run_tests release
 }
 
+quick() {
+  configure quick
+  compile quick
+  run_tests quick
+}
+
+# What a machine without a GPU can check of release's CUDA back end: packages, the build of all that
+# the check of a machine with one runs, and the host instead.
 cuda() {
-  configure cuda -DCMAKE_CUDA_ARCHITECTURES="${CUDA_ARCHITECTURES:-80}"
-  # As far as a machine without a GPU can: packages, and the build of all that the check runs.
-  scripts/gpu_check.sh --again --build build/cuda prepare build
-  run_tests cuda -R '^hygiene[.]no_spills$'
+  configure_release
+  WARNINGS_AS_ERRORS=ON scripts/gpu_check.sh --again --build build/release prepare build
+  run_tests release -R '^hygiene[.]no_spills$'
   if ! nvidia-smi >/dev/null 2>&1; then
-    check_fallback cuda
+    check_fallback release
   fi
-  same_bits cuda
+  same_bits release
 }
 
 # Nobody has run this one on an AMD GPU yet.
 hip() {
-  configure hip
+  compile_kernels
+  configure hip "${unity[@]}" "${bare[@]}" "${kernels_of_release[@]}"
   compile hip weft_cli
   if [[ ! -e /dev/kfd ]]; then
     check_fallback hip
@@ -122,17 +149,18 @@ forget_dead_teams() {
 
 # Every way of taking weft into another project, and its Debian packages.
 packaging() {
-  if [[ ! -e build/release/src/libweft.a ]]; then
-    configure release
-    compile release weft
-  fi
-  configure shared
+  compile_kernels
+  configure release -B build/static "${unity[@]}" "${bare[@]}" "${kernels_of_release[@]}" \
+    -DWEFT_BUILD_TOOLS=OFF -DWEFT_BUILD_TESTS=OFF -DWEFT_BUILD_SAMPLES=OFF
+  compile static weft
+  python3 -B tests/hygiene/cpu_library.py nm build/static/src/libweft.a
+  configure shared "${unity[@]}" "${kernels_of_release[@]}" -DWEFT_BUILD_TESTS=OFF
   compile shared weft weft_cli
-  python3 -B tests/packaging/consumers.py . build/release build/shared
+  python3 -B tests/packaging/consumers.py . build/static build/shared
 }
 
 clang() {
-  configure clang
+  configure clang "${unity[@]}" "${bare[@]}"
   compile clang weft_cli tests/determinism/all
   forget_dead_teams
   run_tests clang -L determinism
@@ -140,14 +168,14 @@ clang() {
 }
 
 debug() {
-  configure debug
+  configure debug "${unity[@]}" "${bare[@]}"
   compile debug weft_cli tests/determinism/all
   run_tests debug -R '^(Golden|Hash)[.]'
   same_bits debug
 }
 
 asan() {
-  configure asan
+  configure asan "${unity[@]}" -DWEFT_BUILD_BENCH=OFF
   local pictures=()  # as far as there are packages to draw them with
   [[ ! -e build/asan/tests/render/CTestTestfile.cmake ]] || pictures=(tests/render/all)
   compile asan weft_cli tests/{unit,kernels,api,backend,io,fuzz,stability}/all "${pictures[@]}"
@@ -157,17 +185,18 @@ asan() {
 
 # The OpenMP runtime is not instrumented; its archer library tells the sanitizer of its barriers.
 tsan() {
-  configure tsan
+  configure tsan "${unity[@]}" "${bare[@]}"
   compile tsan race weft_tests_threads tests/determinism/all
   forget_dead_teams
   run_tests tsan -L '^(determinism|race)$' -LE long
 }
 
 setup_options=(--all)
-all=(setup docs release cuda hip packaging clang debug asan tsan)
+wanted=(setup docs release cuda hip packaging clang debug asan tsan)
+all=("${wanted[@]}" quick)
 case "${1:-}" in
-  "") wanted=("${all[@]}") ;;
-  --quick) wanted=(setup release) setup_options=() ;;
+  "") ;;
+  --quick) wanted=(setup quick) setup_options=() ;;
   *) wanted=("$@") ;;
 esac
 for name in "${wanted[@]}"; do

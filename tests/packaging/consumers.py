@@ -78,7 +78,7 @@ class Ways:
         shutil.copy(os.path.join(HERE, "consumer.cpp"), folder)
         shutil.copy(os.path.join(HERE, "CMakeLists.consumer.txt"),
                     os.path.join(folder, "CMakeLists.txt"))
-        flags = " ".join(FLAGS) if kind else "-O2"
+        flags = " ".join(FLAGS) if kind else "-O1"
         run("cmake", "-S", folder, "-B", folder + "/build", "-G", "Ninja",
             f"-DCMAKE_CXX_COMPILER={compiler}", f"-DCMAKE_CXX_STANDARD={standard}",
             f"-DCMAKE_CXX_FLAGS={flags}", *options)
@@ -92,7 +92,7 @@ class Ways:
 
     def add_subdirectory(self):
         self.cmake("add_subdirectory", "", "g++", 17, f"-DWEFT_SOURCE={self.source}",
-                   "-DWEFT_ISA_LEVELS=v2")
+                   "-DWEFT_ISA_LEVELS=v2", "-DCMAKE_UNITY_BUILD=ON")
 
     def pkg_config(self, kind, *options, root=None):
         path = os.path.dirname(one(root or self.prefix[kind], "weft.pc"))

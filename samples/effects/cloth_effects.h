@@ -62,9 +62,17 @@ inline void move_pins(ClothDesc& d) {
   d.pins = View<Pin>(pins, 2);
   d.motions = View<PinMotion>(motions, 2);
 }
+inline void lead_pins_nowhere(ClothDesc& d) {
+  static constexpr Pin pins[] = {{pinned_vertices[0], 0}, {pinned_vertices[1], 0}};
+  static constexpr PinMotion motions[] = {{{0, 0, 0}, {0, 0, 0}, 5}};
+  d.pins = View<Pin>(pins, 2);
+  d.motions = View<PinMotion>(motions, 1);
+}
 inline Effect moving_pins() {
   return {.name = "moving_pins",
           .used = {.line = "moving pins, used", .dress = move_pins},
+          .null = {{.dress = lead_pins_nowhere}},
+          .needs = {.dress = hang},
           .cloth_keys = R"("pins": [
             {"vertices": [0],
              "motion": {"velocity": [0.1, 0, 0], "amplitude": [0, 0.05, 0.1], "omega": 5}},

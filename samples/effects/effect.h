@@ -39,9 +39,9 @@ struct Effect {
   Change used = {};                ///< changes the motion of every cloth
   std::vector<Change> null = {};   ///< each changes no bit of any cloth
   std::vector<Change> timed = {};  ///< other states that have a price
-  Change needs = {};               ///< without which `used` would be nothing: pins, for example
-  std::string cloth_keys = {};     ///< `needs` and `used` as members of a scene's cloth
-  std::string scene_keys = {};     ///< and of the scene
+  Change needs = {};  ///< is there with and without: pins, for example. A line: prices add to it
+  std::string cloth_keys = {};  ///< `needs` and `used` as members of a scene's cloth
+  std::string scene_keys = {};  ///< and of the scene
 };
 
 /// Several changes at once, in order.

@@ -38,7 +38,7 @@ const char* name_of(Severity severity) {
   return "";
 }
 
-std::vector<Finding> find_all(const io::Scene& scene, io::Simulation& made,
+std::vector<Finding> find_all(const io::Scene& scene, io::RunningScene& made,
                               const Stability& stability, uint64_t planned) {
   std::vector<Finding> findings;
   for (size_t i = 0; i < scene.cloths.size(); ++i) {
@@ -70,7 +70,7 @@ std::vector<Finding> find_all(const io::Scene& scene, io::Simulation& made,
   return findings;
 }
 
-void print_human(const io::Scene& scene, const io::Simulation& made, const Stats& stats,
+void print_human(const io::Scene& scene, const io::RunningScene& made, const Stats& stats,
                  const Stability& stability, uint64_t bytes, const std::vector<Finding>& findings) {
   std::string bound = "unlimited";
   if (std::isfinite(stability.dt_bound)) {
@@ -101,7 +101,7 @@ void print_human(const io::Scene& scene, const io::Simulation& made, const Stats
 int check_command(const CommonOptions& options) {
   const ContextDesc desc = context_desc(options);
   const io::Scene scene = io::read_scene(options.scene);
-  io::Simulation made = io::build(scene, desc);
+  io::RunningScene made = io::build(scene, desc);
   const Stability stability = made.world.stability();
   const Stats stats = made.world.stats();
   const auto planned = made.world.plan();

@@ -20,7 +20,7 @@ static bool is_reported(EventType type) {
   return type != EventType::slept && type != EventType::woke;
 }
 
-void collect_events(const io::Simulation& made, std::vector<io::ReportEvent>& events) {
+void collect_events(const io::RunningScene& made, std::vector<io::ReportEvent>& events) {
   const View<Event> latest = made.world.events();
   for (uint32_t i = 0; i < latest.count; ++i) {
     const Event& event = latest[i];
@@ -33,12 +33,12 @@ void collect_events(const io::Simulation& made, std::vector<io::ReportEvent>& ev
   }
 }
 
-void collect_fallback(const io::Simulation& made, std::vector<io::ReportEvent>& events) {
+void collect_fallback(const io::RunningScene& made, std::vector<io::ReportEvent>& events) {
   const char* reason = made.context.info().fallback;
   if (reason) events.push_back({to_string(EventType::backend_fallback), {}, 0, 0, reason});
 }
 
-void collect_figures(const io::Scene& scene, io::Simulation& made, io::Report& report) {
+void collect_figures(const io::Scene& scene, io::RunningScene& made, io::Report& report) {
   const ContextInfo info = made.context.info();
   report.backend = info.backend;
   report.device = info.device;

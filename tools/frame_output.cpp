@@ -27,7 +27,7 @@ std::string film_path(const std::string& folder, const std::string& scene_file) 
 }
 
 FrameOutput::FrameOutput(const FrameSettings& settings, const io::Scene& scene,
-                         io::Simulation& made)
+                         io::RunningScene& made)
     : clock_(settings.every, scene.time.frame),
       frame_seconds_(scene.time.frame),
       surface_(io::make_surface(scene, made)),
@@ -51,7 +51,7 @@ FrameOutput::FrameOutput(const FrameSettings& settings, const io::Scene& scene,
   }
 }
 
-bool FrameOutput::update(uint64_t frame, io::Simulation& made) {
+bool FrameOutput::update(uint64_t frame, io::RunningScene& made) {
   if (!clock_.due(frame)) return false;
   read(made);
   const Frame now{surface_, written_++, double(frame) * frame_seconds_};
@@ -63,7 +63,7 @@ void FrameOutput::commit() {
   for (const auto& sink : sinks_) sink->commit();
 }
 
-void FrameOutput::read(io::Simulation& made) {
+void FrameOutput::read(io::RunningScene& made) {
   for (size_t i = 0; i < made.cloths.size(); ++i) {
     const size_t first = surface_.parts[i].first_vertex;
     const ClothId cloth = made.cloths[i];

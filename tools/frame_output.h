@@ -29,14 +29,14 @@ struct FrameSettings {
 class FrameOutput {
  public:
   /// Makes the folder.
-  FrameOutput(const FrameSettings&, const io::Scene&, io::Simulation&);
+  FrameOutput(const FrameSettings&, const io::Scene&, io::RunningScene&);
 
   /// After `frame` frames of the simulation; true when it was due and is written.
-  bool update(uint64_t frame, io::Simulation&);
+  bool update(uint64_t frame, io::RunningScene&);
   void commit();
 
  private:
-  void read(io::Simulation&);  ///< positions and, where there is room for them, normals
+  void read(io::RunningScene&);  ///< positions and, where there is room for them, normals
 
   FrameClock clock_;
   double frame_seconds_;

@@ -20,10 +20,10 @@ using Write = void (*)(const std::string&, const io::Surface&, Precision, bool);
 /// Floats within 16 m of zero are positions to a micrometre. Farther out a cloth, which counts from
 /// an origin of its own, is finer than they are.
 Precision fine_enough(const io::Surface& surface, Precision precision) {
-  constexpr double reach = 16;
+  constexpr double fine_within = 16;
   for (const double3& p : surface.positions) {
     const double most = std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
-    if (most > reach) return Precision::float64;
+    if (most > fine_within) return Precision::float64;
   }
   return precision;
 }
@@ -84,14 +84,14 @@ void require_open_files(size_t count, const std::string& folder) {
 
 /// Where floats are more than a tenth of a millimetre apart.
 void warn_if_coarse(const io::Surface& start) {
-  constexpr double reach = 1024;
+  constexpr double fine_within = 1024;
   for (const io::SurfacePart& part : start.parts) {
     double most = 0;
     for (size_t i = 0; i < part.vertex_count; ++i) {
       const double3& p = start.positions[part.first_vertex + i];
       most = std::max({most, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
     }
-    if (most <= reach) continue;
+    if (most <= fine_within) continue;
     const float far = static_cast<float>(most);
     print_message("warning: cloth '" + part.name + "' is " + figure(most) +
                   " m from zero, where the floats of a point cache are " +

@@ -46,7 +46,7 @@ void print_table(const PlanInfo& plan) {
 int plan_command(const CommonOptions& options) {
   const ContextDesc desc = context_desc(options);
   const io::Scene scene = io::read_scene(options.scene);
-  io::Simulation made = io::build(scene, desc);
+  io::RunningScene made = io::build(scene, desc);
   const auto planned = made.world.plan();
   made.require(planned.status(), scene.file);
   const PlanInfo& plan = *planned;

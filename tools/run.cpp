@@ -89,9 +89,9 @@ void require_memory(const io::Scene& scene, uint64_t bytes) {
   }
 }
 
-io::Simulation build_runnable(const io::Scene& scene, const RunRequest& request) {
+io::RunningScene build_runnable(const io::Scene& scene, const RunRequest& request) {
   require_memory(scene, io::bytes_to_run(scene));
-  io::Simulation made = io::build(scene, request.context);
+  io::RunningScene made = io::build(scene, request.context);
   const auto plan = made.world.plan();
   made.require(plan.status(), scene.file);
   require_memory(scene, io::bytes_to_run(scene, plan->bytes_total));
@@ -104,7 +104,7 @@ io::Simulation build_runnable(const io::Scene& scene, const RunRequest& request)
   return made;
 }
 
-void write_final(const std::string& path, const io::Scene& scene, io::Simulation& made) {
+void write_final(const std::string& path, const io::Scene& scene, io::RunningScene& made) {
   io::FinalWriter writer(path);
   std::vector<double3> positions, velocities;
   for (size_t i = 0; i < made.cloths.size(); ++i) {
@@ -118,18 +118,19 @@ void write_final(const std::string& path, const io::Scene& scene, io::Simulation
 }
 
 /// Writes the frame if it is due; then it counts for the largest stretch, too.
-void update_frames(FrameOutput* frames, uint64_t frame, io::Simulation& made, io::Report& report) {
+void update_frames(FrameOutput* frames, uint64_t frame, io::RunningScene& made,
+                   io::Report& report) {
   if (!frames || !frames->update(frame, made)) return;
   report.largest_stretch = std::max(report.largest_stretch, made.world.mechanics()->stretch);
 }
 
-void prepare(const io::Scene& scene, io::Simulation& made) {
+void prepare(const io::Scene& scene, io::RunningScene& made) {
   const LongWork building("the preparation");
   made.require(made.world.prepare(scene.time.frame), scene.file);
 }
 
 /// Why a run ended before its time; empty when it did not.
-std::string simulate(const io::Scene& scene, io::Simulation& made, FrameOutput* frames,
+std::string simulate(const io::Scene& scene, io::RunningScene& made, FrameOutput* frames,
                      io::Report& report) {
   const uint64_t count = io::frame_count(scene.time, "$.time.duration");
   const std::function<void()> rescue = [frames] {
@@ -192,7 +193,7 @@ int run_command(const RunOptions& options) {
   catch_stop_signals();
   const io::Scene scene = read_scene(options, request);
   check_paths(options, request, scene);
-  io::Simulation made = build_runnable(scene, request);
+  io::RunningScene made = build_runnable(scene, request);
   std::optional<FrameOutput> frames;
   if (!options.out.empty()) frames.emplace(request.frames, scene, made);
   for (const std::string& path : {options.final_file, options.report}) {

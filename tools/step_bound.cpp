@@ -18,7 +18,7 @@ uint64_t fewest_substeps(double frame, double bound) {
   return count;
 }
 
-std::string worst_element(const io::Scene& scene, const io::Simulation& made,
+std::string worst_element(const io::Scene& scene, const io::RunningScene& made,
                           const Stability& stability) {
   const size_t cloth = made.index_of(stability.cloth);
   if (cloth == made.cloths.size()) return "no cloth";
@@ -27,7 +27,7 @@ std::string worst_element(const io::Scene& scene, const io::Simulation& made,
   return where + "spring " + std::to_string(stability.a) + "-" + std::to_string(stability.b);
 }
 
-std::optional<std::string> beyond_bound(const io::Scene& scene, const io::Simulation& made,
+std::optional<std::string> beyond_bound(const io::Scene& scene, const io::RunningScene& made,
                                         const Stability& stability) {
   const uint32_t fixed = scene.time.substeps;
   if (fixed == 0) return std::nullopt;

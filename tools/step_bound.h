@@ -13,9 +13,10 @@ namespace weft::tools {
 uint64_t fewest_substeps(double frame, double bound);
 
 /// "cloth 'sheet', spring 12-14" or "cloth 'sheet', vertex 3".
-std::string worst_element(const io::Scene&, const io::Simulation&, const Stability&);
+std::string worst_element(const io::Scene&, const io::RunningScene&, const Stability&);
 
 /// What is wrong with a fixed number of substeps that is beyond the bound; none when it is not.
-std::optional<std::string> beyond_bound(const io::Scene&, const io::Simulation&, const Stability&);
+std::optional<std::string> beyond_bound(const io::Scene&, const io::RunningScene&,
+                                        const Stability&);
 
 }  // namespace weft::tools

@@ -2,7 +2,7 @@
 
 namespace weft::tools {
 
-std::vector<Windless> windless_cloths(const io::Scene& scene, const io::Simulation& made) {
+std::vector<Windless> windless_cloths(const io::Scene& scene, const io::RunningScene& made) {
   std::vector<Windless> found;
   if (!scene.wind) return found;
   for (size_t i = 0; i < scene.cloths.size(); ++i) {

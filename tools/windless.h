@@ -14,6 +14,6 @@ struct Windless {
 };
 
 /// The cloths without triangles of a scene with wind.
-std::vector<Windless> windless_cloths(const io::Scene&, const io::Simulation&);
+std::vector<Windless> windless_cloths(const io::Scene&, const io::RunningScene&);
 
 }  // namespace weft::tools

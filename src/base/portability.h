@@ -62,10 +62,10 @@
 #  define WEFT_LEAVE_OUT_STAGES 0u
 #endif
 
-/// Scalars from one particle to the next in an array of vectors: 1 stores x, y and z apart
+/// Scalars from one vector to the next in an array of vectors: 1 stores x, y and z apart
 /// (structure of arrays), 4 stores x, y, z and a pad together. Bits do not depend on it.
-#ifndef WEFT_PARTICLE_STEP
-#  define WEFT_PARTICLE_STEP 1
+#ifndef WEFT_VECTOR_STRIDE
+#  define WEFT_VECTOR_STRIDE 1
 #endif
 
 /// Whether a host's substep is one pass (step/pipeline.h): yes, but for a test of what a GPU does.

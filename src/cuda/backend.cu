@@ -10,7 +10,7 @@ namespace WEFT_BACKEND_NS {
 
 struct GpuDevice {
   static BackendInfo& info() {
-    static BackendInfo info{WEFT_BACKEND_NAME, "", "-", WEFT_PARTICLE_STEP, false};
+    static BackendInfo info{WEFT_BACKEND_NAME, "", "-", WEFT_VECTOR_STRIDE, false};
     return info;
   }
   // The default stream: copies wait for kernels and kernels for copies without a word.

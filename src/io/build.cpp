@@ -61,7 +61,7 @@ WorldDesc world_desc(const Scene& scene) {
 
 class ColliderMaker {
  public:
-  explicit ColliderMaker(Simulation& made) : made_(made), world_(made.world) {}
+  explicit ColliderMaker(RunningScene& made) : made_(made), world_(made.world) {}
 
   Status operator()(const SphereDesc& d) { return world_.create_sphere(d).status(); }
   Status operator()(const PlaneDesc& d) { return world_.create_plane(d).status(); }
@@ -86,7 +86,7 @@ class ColliderMaker {
     return mesh;
   }
 
-  Simulation& made_;
+  RunningScene& made_;
   World& world_;
   std::map<MeshKey, size_t> cooked_;  ///< numbers of collider_meshes
 };
@@ -95,7 +95,7 @@ std::string element_path(const Scene& scene, const char* key, size_t index) {
   return scene.file + ": $." + key + "[" + std::to_string(index) + "]";
 }
 
-void add_cloths(const Scene& scene, Simulation& made) {
+void add_cloths(const Scene& scene, RunningScene& made) {
   for (size_t i = 0; i < scene.cloths.size(); ++i) {
     const std::string path = element_path(scene, "cloths", i);
     auto fabric = cook(made.context, scene.cloths[i]);
@@ -107,7 +107,7 @@ void add_cloths(const Scene& scene, Simulation& made) {
   }
 }
 
-void add_surroundings(const Scene& scene, Simulation& made) {
+void add_surroundings(const Scene& scene, RunningScene& made) {
   ColliderMaker maker(made);
   for (size_t i = 0; i < scene.colliders.size(); ++i) {
     made.require(std::visit(maker, scene.colliders[i]), element_path(scene, "colliders", i));
@@ -117,19 +117,19 @@ void add_surroundings(const Scene& scene, Simulation& made) {
 
 }  // namespace
 
-size_t Simulation::index_of(ClothId id) const {
+size_t RunningScene::index_of(ClothId id) const {
   size_t index = 0;
   while (index < cloths.size() && cloths[index] != id) ++index;
   return index;
 }
 
-void Simulation::require(Status status, const std::string& where) const {
+void RunningScene::require(Status status, const std::string& where) const {
   if (status != Status::ok) throw CoreError(status, where + ": " + log->last_error(status));
 }
 
-Simulation build(const Scene& scene, ContextDesc desc) {
+RunningScene build(const Scene& scene, ContextDesc desc) {
   require_buildable(scene);
-  Simulation made;
+  RunningScene made;
   made.log = std::make_unique<MessageLog>();
   desc.log = made.log->callback();
   auto context = Context::create(desc);
@@ -143,7 +143,7 @@ Simulation build(const Scene& scene, ContextDesc desc) {
   return made;
 }
 
-Surface make_surface(const Scene& scene, const Simulation& made) {
+Surface make_surface(const Scene& scene, const RunningScene& made) {
   Surface surface;
   for (size_t i = 0; i < scene.cloths.size(); ++i) {
     const Fabric& fabric = made.fabrics[i];

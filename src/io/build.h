@@ -13,7 +13,7 @@
 namespace weft::io {
 
 /// A scene at work. The members are in the order in which they depend on each other.
-struct Simulation {
+struct RunningScene {
   std::unique_ptr<MessageLog> log;
   Context context;
   std::vector<Fabric> fabrics;                ///< one per cloth of the scene
@@ -28,9 +28,9 @@ struct Simulation {
 };
 
 /// `desc` says where it runs; its log is replaced. CoreError names the file and the JSON path.
-Simulation build(const Scene&, ContextDesc desc);
+RunningScene build(const Scene&, ContextDesc desc);
 
 /// Triangles and edges of all cloths; the positions are zero.
-Surface make_surface(const Scene&, const Simulation&);
+Surface make_surface(const Scene&, const RunningScene&);
 
 }  // namespace weft::io

@@ -17,7 +17,7 @@ namespace weft {
 namespace WEFT_BACKEND_NS {
 
 template <class T, class Springs, StageSet Set = every_stage>
-struct Advance {
+struct AdvanceParticles {
   using Fan = typename Springs::Fan;
   ParticleStages<T> stages;
   Springs springs;

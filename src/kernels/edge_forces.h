@@ -86,8 +86,8 @@ struct EdgeForces {
     const int first = edges.first_block * block_size;
     lanes.each_alone([&](int l) {
       const Vec3<T> f = force.get(l);
-      T* a = edges.total.data + (edges.a[e0 + l] - first) * particle_step;
-      T* b = edges.total.data + (edges.b[e0 + l] - first) * particle_step;
+      T* a = edges.total.data + (edges.a[e0 + l] - first) * vector_stride;
+      T* b = edges.total.data + (edges.b[e0 + l] - first) * vector_stride;
       const size_t pitch = edges.total.pitch;
       atomic_sum(a, f.x);
       atomic_sum(a + pitch, f.y);

@@ -9,7 +9,7 @@ namespace WEFT_BACKEND_NS {
 
 /// Whether a box has a point in common with what a collider sweeps through.
 template <class T>
-WEFT_HD bool can_touch(Vec3<T> low, Vec3<T> high, const ReachOfCollider<T>& c) {
+WEFT_HD bool can_touch(Vec3<T> low, Vec3<T> high, const ColliderBounds<T>& c) {
   const bool in_x = (low.x <= c.high.x) & (high.x >= c.low.x);
   const bool in_y = (low.y <= c.high.y) & (high.y >= c.low.y);
   const bool in_z = (low.z <= c.high.z) & (high.z >= c.low.z);
@@ -48,7 +48,7 @@ struct ReachOfBlocks {
     if (lane0 != 0) return;
     const int first = activity.near_first[0], end = activity.near_end[collider_shapes - 1];
     for (int j = first; j < end && j < first + 64; ++j) {
-      if (can_touch(reach.low, reach.high, sim.colliders.reach[j])) {
+      if (can_touch(reach.low, reach.high, sim.colliders.near_bounds[j])) {
         reach.mask |= uint64_t(1) << (j - first);
       }
     }

@@ -13,7 +13,7 @@ struct HostDevice {
   static const BackendInfo& info() {
     // "omp_v4": the level begins behind the underscore.
     static const BackendInfo info{"omp", "host processor", &WEFT_BACKEND_NAME[4],
-                                  WEFT_PARTICLE_STEP, true};
+                                  WEFT_VECTOR_STRIDE, true};
     return info;
   }
   static Exec exec(int blocks, Workers workers) { return Exec(blocks, workers); }

@@ -116,7 +116,7 @@ void add_spring_passes(const WorldShape& world, Plan& plan) {
                            s.springs / 2, bytes, flops});
   }
   add_hub_pass(world, plan);
-  if (s.edges > 0 && sums_apart(world.accumulation)) {
+  if (s.edges > 0 && is_measured(world.accumulation)) {
     const auto n = static_cast<double>(std::max<uint64_t>(1, s.particles));
     plan.passes.push_back({"sums", "substep", "sum_forces" + suffix, s.particles,
                            (4 + 3 * scalar) * static_cast<double>(s.entries) / n + 3 * scalar,

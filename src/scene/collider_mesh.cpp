@@ -149,7 +149,7 @@ std::vector<uint32_t> add_triangles(const ColliderMeshDesc& desc,
 }  // namespace
 
 /// The way of a fast particle through the mesh is walked in a bounded number of pieces.
-static void check_reach(const std::vector<double3>& positions, double thickness) {
+static void check_extent(const std::vector<double3>& positions, double thickness) {
   constexpr double most_thicknesses = 1 << 19;
   double3 low = positions[0], high = positions[0];
   for (const double3& p : positions) {
@@ -172,7 +172,7 @@ void cook_collider_mesh(const ColliderMeshDesc& desc, CookedColliderMesh& mesh) 
   mesh.thickness = desc.thickness;
   mesh.closed = desc.closed;
   const std::vector<uint32_t> vertex = add_triangles(desc, positions, mesh);
-  check_reach(positions, desc.thickness);
+  check_extent(positions, desc.thickness);
   if (desc.closed) {
     const std::vector<uint32_t> welded = weld(positions);
     std::vector<uint32_t> given(desc.indices.count);

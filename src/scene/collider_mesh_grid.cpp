@@ -132,14 +132,14 @@ double GridBuilder::measure(const std::vector<Candidate>& around, Point way, dou
     if (bound(around[c]) < bound(around[first])) first = c;
   }
   double least = measured(around[first].triangle, centre).distance;
-  const double reach = mesh_.closed ? 1e300 : mesh_.thickness + 0.5 * diagonal + slack_;
+  const double farthest = mesh_.closed ? 1e300 : mesh_.thickness + 0.5 * diagonal + slack_;
   list.clear();
   for (const Candidate& c : around) {
-    if (bound(c) > std::min(least + diagonal, reach)) continue;
+    if (bound(c) > std::min(least + diagonal, farthest)) continue;
     list.push_back(measured(c.triangle, centre));
     least = std::min(least, list.back().distance);
   }
-  const double limit = std::min(least + diagonal, reach);
+  const double limit = std::min(least + diagonal, farthest);
   std::erase_if(list, [&](const Candidate& c) { return c.distance > limit; });
   return least;
 }

@@ -10,7 +10,7 @@ namespace weft::scene {
 template <class Use>
 void each_spring(const CookedFabric& fabric, Use use) {
   if (fabric.is_grid) {
-    const GridShape& g = fabric.grid;
+    const CookedGrid& g = fabric.grid;
     const StencilTable& table = stencil_table(g.stencil);
     for (uint32_t v = 0; v < fabric.vertices; ++v) {
       const int64_t row = v / g.columns, column = v % g.columns;

@@ -69,7 +69,7 @@ std::vector<int64_t> slices_of_grid(const CookedFabric& fabric) {
 /// Where the entries of a vertex stand: the first, and from one to the next.
 struct Place {
   int64_t first;
-  int64_t step;
+  int64_t stride;
 };
 
 class Builder {
@@ -115,7 +115,7 @@ class Builder {
   /// The springs of the vertex that is stored at s.
   void list(uint32_t s, Place at) {
     const uint32_t v = caller_of(fabric_, s);
-    for (uint64_t k = rows_.start[v]; k < rows_.start[size_t(v) + 1]; ++k, at.first += at.step) {
+    for (uint64_t k = rows_.start[v]; k < rows_.start[size_t(v) + 1]; ++k, at.first += at.stride) {
       const uint32_t n = rows_.neighbour[k];
       const bool first = fabric_.storage(n) > s;
       out_.incident[size_t(at.first)] = first ? edge_of_[k] : ~edge_of_[entry_of(n, v)];

@@ -15,7 +15,7 @@ template <class T>
 using Array = std::pmr::vector<T>;
 
 /// A regular grid; its springs are nowhere stored.
-struct GridShape {
+struct CookedGrid {
   uint32_t rows = 0, columns = 0;
   double row_spacing = 0, column_spacing = 0;  ///< m, scaled
   Stencil stencil = Stencil::seed12;
@@ -65,7 +65,7 @@ struct CookedFabric {
   double rest_length = initial_rest_length;
   double mass = 0;  ///< kg per vertex, where `masses` is empty
 
-  GridShape grid;
+  CookedGrid grid;
   Array<double3> positions;   ///< rest shape, scaled; empty for grids
   Array<uint32_t> triangles;  ///< 3 each; empty for grids
   Array<double> masses;       ///< kg; empty: all equal

@@ -50,7 +50,7 @@ const StencilTable& stencil_table(Stencil stencil) {
       "stencil %d (it is none of seed12, classic12, quad4, tri6) give one of them", int(stencil)));
 }
 
-int stencil_reach(Stencil stencil) {
+int stencil_radius(Stencil stencil) {
   return stencil == Stencil::seed12 || stencil == Stencil::classic12 ? 2 : 1;
 }
 
@@ -59,7 +59,7 @@ double stencil_stiffness(StencilOffset o, const Stiffness& stiffness) {
   return o.row != 0 && o.column != 0 ? stiffness.shear : stiffness.stretch;
 }
 
-static uint64_t spring_count(const GridShape& g) {
+static uint64_t spring_count(const CookedGrid& g) {
   const StencilTable& table = stencil_table(g.stencil);
   uint64_t directed = 0;
   for (int k = 0; k < table.count; ++k) {

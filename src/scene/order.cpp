@@ -18,10 +18,10 @@ uint32_t build_rows(const std::vector<SpringRecord>& springs, CookedFabric& fabr
   }
   std::partial_sum(rows.start.begin(), rows.start.end(), rows.start.begin());
 
-  struct Entry {
+  struct RowEntry {
     uint32_t neighbour, spring;
   };
-  std::vector<Entry> entries(2 * springs.size());
+  std::vector<RowEntry> entries(2 * springs.size());
   std::vector<uint64_t> next(rows.start.begin(), rows.start.end());
   for (uint32_t s = 0; s < springs.size(); ++s) {
     entries[next[springs[s].a]++] = {springs[s].b, s};
@@ -30,7 +30,7 @@ uint32_t build_rows(const std::vector<SpringRecord>& springs, CookedFabric& fabr
   for (uint32_t v = 0; v < fabric.vertices; ++v) {
     std::sort(entries.begin() + static_cast<std::ptrdiff_t>(rows.start[v]),
               entries.begin() + static_cast<std::ptrdiff_t>(rows.start[size_t(v) + 1]),
-              [](Entry x, Entry y) { return x.neighbour < y.neighbour; });
+              [](RowEntry x, RowEntry y) { return x.neighbour < y.neighbour; });
   }
 
   rows.neighbour.resize(entries.size());

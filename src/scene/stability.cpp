@@ -105,7 +105,7 @@ class BoundSearch {
     return sum;
   }
 
-  /// Sums depend on the distance to the border only, up to twice the reach.
+  /// Sums depend on the distance to the border only, up to twice its stencil radius.
   std::vector<uint32_t> representatives(uint32_t count) const {
     std::vector<uint32_t> all;
     const bool every = input_.pinned != nullptr || !fabric_.masses.empty() || count <= 16;
@@ -116,7 +116,7 @@ class BoundSearch {
   }
 
   void over_grid() {
-    const GridShape& g = fabric_.grid;
+    const CookedGrid& g = fabric_.grid;
     const StencilTable& table = stencil_table(g.stencil);
     // Sums by class of row and column: distance to the near border, to the far border, or inside.
     const auto class_of = [](uint32_t i, uint32_t count) {

@@ -69,7 +69,7 @@ struct MeshCollider {
 /// Where a collider can be in this frame: in the box, in the ball, and below the plane dot(normal,
 /// x) = offset. What does not limit a shape is endless; a normal of 0 goes with an offset of 1.
 template <class T>
-struct ReachOfCollider {
+struct ColliderBounds {
   Vec3<T> low, high, center;
   T radius2;
   Vec3<T> normal;
@@ -87,7 +87,7 @@ struct Colliders {
   const Mat3<T>* turn;  ///< [substep + 1][column]: since the start of the frame, row 0: not at all
   int turns;            ///< columns
   const int32_t* near;  ///< lists of ClothActivity: index among those of a shape
-  const ReachOfCollider<T>* reach;  ///< of the entries of `near`
+  const ColliderBounds<T>* near_bounds;  ///< of the entries of `near`
 
   template <class Arrays>
   constexpr void arrays(Arrays& array, const Counts& n) {
@@ -103,7 +103,7 @@ struct Colliders {
     array(turn, n.turns * (n.substeps + 1));
     array.number(turns, n.turns);
     array(near, n.cloths * n.all_colliders);
-    array(reach, n.cloths * n.all_colliders);
+    array(near_bounds, n.cloths * n.all_colliders);
   }
 };
 

@@ -20,7 +20,7 @@ enum class Accumulation : int32_t {
 };
 
 /// The formats that exist to be measured: their sums are passes of their own.
-WEFT_HD constexpr bool sums_apart(Accumulation a) {
+WEFT_HD constexpr bool is_measured(Accumulation a) {
   return a != Accumulation::native && a != Accumulation::atomic && a != Accumulation::fixed64;
 }
 WEFT_HD constexpr bool uses_atomics(Accumulation a) {

@@ -12,7 +12,7 @@ struct BackendInfo {
   const char* name;    ///< "omp", "cuda", "hip"
   const char* device;  ///< name of the processor or GPU
   const char* isa;     ///< level of the host kernels; "-" on a GPU
-  int particle_step;   ///< memory layout of vectors: base/portability.h
+  int vector_stride;   ///< memory layout of vectors: base/portability.h
   bool host_memory;    ///< device memory can be read and written by the host
 };
 

@@ -78,7 +78,7 @@ void advance_ranges(const Team& team, const Simulation<T>& sim, const ParticleBu
   for (int r = 0; r < sim.range_count; ++r) {
     const BlockRange range = sim.ranges[r];
     with_springs(range.kind, sim, [&](auto springs) {
-      using Kernel = Advance<T, decltype(springs), Set>;
+      using Kernel = AdvanceParticles<T, decltype(springs), Set>;
       const auto fan = fan_of(sim, static_cast<const typename Kernel::Fan*>(nullptr));
       team.for_each_block(range.count, Kernel{{sim, p, step}, springs, fan, range.first});
     });
@@ -91,7 +91,7 @@ template <class T, class Team>
 void springs_before(const Team& team, const Simulation<T>& sim, const ParticleBuffers<T>& p,
                     const StepParams<T>& step) {
   const Edges<T>& edges = sim.edges;
-  if (edges.blocks > 0 && sums_apart(edges.accumulation)) {  // in a format of step/measured.h
+  if (edges.blocks > 0 && is_measured(edges.accumulation)) {  // in a format of step/measured.h
     return measured::springs_before(team, sim, p, step);
   }
   if (edges.blocks > 0) {

@@ -31,7 +31,7 @@ TEST_F(Build, CooksEqualColliderMeshesOnce) {
     { "mesh": { "file": "a.obj", "thickness": 0.01 } },
     { "mesh": { "file": "b.obj" } },
     { "mesh": { "file": "a.obj", "transform": { "scale": 2 } }, "velocity": [0,-1,0] } ])");
-  const Simulation made = build(read(json), {});
+  const RunningScene made = build(read(json), {});
   ASSERT_EQ(made.collider_meshes.size(), 4u);
   for (const ColliderMesh& mesh : made.collider_meshes) EXPECT_EQ(mesh.triangle_count(), 1u);
 }
@@ -57,7 +57,7 @@ TEST_F(Build, ASpringGivenTwiceIsOneDiagnosticHoweverOften) {
   for (int i = 0; i < 1000; ++i) springs.push_back({i % 2, 1 - i % 2});
   json["cloths"][0].erase("grid");
   json["cloths"][0]["network"] = {{"positions", {{0, 0, 0}, {1, 0, 0}}}, {"springs", springs}};
-  const Simulation made = build(read(json), {});
+  const RunningScene made = build(read(json), {});
   const View<Diagnostic> diagnostics = made.fabrics[0].diagnostics();
   ASSERT_EQ(diagnostics.count, 1u);
   EXPECT_EQ(diagnostics[0].element, 1u);
@@ -94,7 +94,7 @@ TEST_F(Build, VerticesWithoutATriangleAreADiagnostic) {
   Json json = still_scene();
   json["cloths"][0].erase("grid");
   json["cloths"][0]["mesh"] = {{"file", "a.obj"}};
-  const Simulation made = build(read(json), {});
+  const RunningScene made = build(read(json), {});
   const View<Diagnostic> diagnostics = made.fabrics[0].diagnostics();
   ASSERT_EQ(diagnostics.count, 1u);
   EXPECT_EQ(diagnostics[0].element, 1u);
@@ -127,7 +127,7 @@ TEST_F(Build, SaysWhatAMachineCannotHoldBeforeItTries) {
 TEST_F(Build, PassesWindOn) {
   Json json = still_scene();
   json["wind"] = {{"velocity", {0, 0, 3}}};
-  Simulation made = build(read(json), {});
+  RunningScene made = build(read(json), {});
   ASSERT_EQ(made.world.step(0.05), Status::ok);
   const auto mechanics = made.world.mechanics();
   ASSERT_TRUE(mechanics);
@@ -138,7 +138,7 @@ TEST_F(Build, PassesSleepOn) {
   Json json = still_scene();
   json["cloths"].push_back(json["cloths"][0]);
   json["cloths"][1]["sleep"] = {{"speed", 0.001}, {"time", 0.05}};
-  Simulation made = build(read(json), {});
+  RunningScene made = build(read(json), {});
   for (int frame = 0; frame < 10; ++frame) ASSERT_EQ(made.world.step(1.0 / 60), Status::ok);
   EXPECT_FALSE(*made.world.asleep(made.cloths[0]));
   EXPECT_TRUE(*made.world.asleep(made.cloths[1]));

@@ -26,7 +26,7 @@ uint64_t hash_after_frames(World& world) {
   return samples::take(world.state_hash());
 }
 uint64_t hash_of_scene(const std::string& text) {
-  Simulation made = build(read_scene_text(text, "effect.json"), one_thread());
+  RunningScene made = build(read_scene_text(text, "effect.json"), one_thread());
   return hash_after_frames(made.world);
 }
 /// The same sheet with `changes`, without a scene file.

@@ -50,7 +50,7 @@ struct TwoBlocks {
   Vec3Array<float> view(int k) { return {arrays[k].data() + guard, pitch}; }
   void set(int k, int i, Vec3<float> v) { store(view(k), i, v); }
 
-  Advance<float, GridSprings<float, Seed12>> kernel() {
+  AdvanceParticles<float, GridSprings<float, Seed12>> kernel() {
     Simulation<float> sim{};
     sim.cloths = &cloth;
     sim.block = {block_cloth, block_inner};
@@ -98,7 +98,7 @@ struct TwoBlocks {
                  {{0, 0, 0}, 0.5f, 0.01f, -1, {0, 0, 0}}};
 };
 
-TEST(Advance, AWarpAndABlockGiveTheSameBits) {
+TEST(AdvanceParticles, AWarpAndABlockGiveTheSameBits) {
   TwoBlocks wide, narrow;
   const auto blocks = wide.kernel();
   for (int b = 0; b < 2; ++b) blocks(b, 0, Lanes<32>{});
@@ -126,7 +126,7 @@ TEST(VertexNormals, AWarpAndABlockGiveTheSameBits) {
   EXPECT_GT(std::abs(load(grid.view(2), 10).z), 0.5f);
 }
 
-TEST(Advance, APinDoesNotMoveAndKeepsNoDisplacement) {
+TEST(AdvanceParticles, APinDoesNotMoveAndKeepsNoDisplacement) {
   TwoBlocks grid;
   const auto kernel = grid.kernel();
   for (int b = 0; b < 2; ++b) kernel(b, 0, Lanes<32>{});
@@ -137,7 +137,7 @@ TEST(Advance, APinDoesNotMoveAndKeepsNoDisplacement) {
   }
 }
 
-TEST(Advance, APinStaysWhereItIsWhenItsNeighboursAreNotFinite) {
+TEST(AdvanceParticles, APinStaysWhereItIsWhenItsNeighboursAreNotFinite) {
   TwoBlocks grid;
   grid.set(0, 4, {INFINITY, 0, 0});
   grid.set(1, 3, {NAN, NAN, NAN});
@@ -148,7 +148,7 @@ TEST(Advance, APinStaysWhereItIsWhenItsNeighboursAreNotFinite) {
   EXPECT_EQ(std::memcmp(&before, &after, sizeof before), 0);
 }
 
-TEST(Advance, FreeParticlesEndOutsideTheColliders) {
+TEST(AdvanceParticles, FreeParticlesEndOutsideTheColliders) {
   TwoBlocks grid;
   const auto kernel = grid.kernel();
   for (int b = 0; b < 2; ++b) kernel(b, 0, Lanes<32>{});

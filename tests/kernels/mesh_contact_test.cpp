@@ -40,10 +40,10 @@ struct Bench {
   /// Of a number of the size of the mesh.
   double rounding() const { return sizeof(T) == 4 ? 4e-7 : 1e-14; }
 
-  /// At most `reach` from a vertex along every axis.
-  Vec near_surface(SplitMix& random, double reach) const {
+  /// At most `away` from a vertex along every axis.
+  Vec near_surface(SplitMix& random, double away) const {
     const size_t v = random.bits() % mesh.vertices.size();
-    return wide(narrowed<T>(mesh.vertices[v] + random.noise(reach)));
+    return wide(narrowed<T>(mesh.vertices[v] + random.noise(away)));
   }
 };
 

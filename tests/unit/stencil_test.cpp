@@ -20,17 +20,17 @@ void expect_same(Stencil stencil) {
   const scene::StencilTable& host = scene::stencil_table(stencil);
   ASSERT_EQ(host.count, Kernel::neighbours);
   std::set<std::pair<int, int>> seen;
-  int reach = 0;
+  int radius = 0;
   for (int k = 0; k < host.count; ++k) {
     EXPECT_EQ(host.offset[k].row, kernel.row[k]) << k;
     EXPECT_EQ(host.offset[k].column, kernel.column[k]) << k;
     const std::pair offset{host.offset[k].row, host.offset[k].column};
     EXPECT_TRUE(seen.empty() || *seen.rbegin() < offset) << "not ascending at " << k;
     seen.insert(offset);
-    reach = std::max({reach, std::abs(offset.first), std::abs(offset.second)});
+    radius = std::max({radius, std::abs(offset.first), std::abs(offset.second)});
   }
   for (const auto& [row, column] : seen) EXPECT_TRUE(seen.count({-row, -column}));
-  EXPECT_EQ(scene::stencil_reach(stencil), reach);
+  EXPECT_EQ(scene::stencil_radius(stencil), radius);
 }
 
 TEST(Stencil, HostAndKernelsAgree) {

@@ -187,7 +187,7 @@ class ArenaOf final : public Arena {
   uint64_t bytes() const override { return device_.bytes; }
 
  private:
-  int stride() const { return backend_.info().particle_step; }
+  int stride() const { return backend_.info().vector_stride; }
 
   Status allocate(size_t bytes) {
     bytes = std::max<size_t>(bytes, 1);  // a world may be empty
@@ -296,7 +296,7 @@ class ArenaOf final : public Arena {
     const size_t count = cloth.cooked().vertices;
     const Status status = fetch(from, cloth.first(), count, values);
     if (status != Status::ok) return status;
-    out = arranged(values, static_cast<size_t>(context_.host().info().particle_step), mirror);
+    out = arranged(values, static_cast<size_t>(context_.host().info().vector_stride), mirror);
     return Status::ok;
   }
 
@@ -351,14 +351,15 @@ class ArenaOf final : public Arena {
   Status fetch(const Vec3Array<T>& from, int first, size_t count, std::vector<Vec3<T>>& out) {
     out.resize(count);
     if (count == 0) return Status::ok;
-    const auto step = static_cast<size_t>(stride());
-    std::vector<T> line((count - 1) * step + 1);
+    const auto stride = static_cast<size_t>(this->stride());
+    std::vector<T> line((count - 1) * stride + 1);
     for (size_t c = 0; c < 3; ++c) {
-      const Status status = backend_.to_host(
-          line.data(), from.data + size_t(first) * step + c * from.pitch, line.size() * sizeof(T));
+      const Status status =
+          backend_.to_host(line.data(), from.data + size_t(first) * stride + c * from.pitch,
+                           line.size() * sizeof(T));
       if (status != Status::ok) return status;
       T Vec3<T>::*const member = c == 0 ? &Vec3<T>::x : c == 1 ? &Vec3<T>::y : &Vec3<T>::z;
-      for (size_t i = 0; i < count; ++i) out[i].*member = line[i * step];
+      for (size_t i = 0; i < count; ++i) out[i].*member = line[i * stride];
     }
     return Status::ok;
   }

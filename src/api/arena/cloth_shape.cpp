@@ -48,9 +48,9 @@ plan::ClothShape shape_of(const ClothRecord& cloth, Accumulation accumulation, b
     shape.row_entries = fabric.row_entries;
   }
   if (fabric.is_grid) {
-    const int reach = scene::stencil_reach(fabric.grid.stencil);
+    const int radius = scene::stencil_radius(fabric.grid.stencil);
     const int columns = fabric.grid.rows > 1 ? static_cast<int>(fabric.grid.columns) : 0;
-    shape.guard = reach * columns + reach;
+    shape.guard = radius * columns + radius;
   }
   if (fans) shape.triangle_entries = scene::fan_entries(fabric);
   shape.moving_pin_blocks = blocks_of_moving_pins(cloth);

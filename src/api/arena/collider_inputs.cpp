@@ -44,7 +44,7 @@ void ColliderInputs<T>::prepare(const ArenaInput& in, const plan::DeviceArrays<T
   followed_.clear();
   followed_.reserve(colliders);
   near_.resize(cloths * colliders);
-  near_reach_.resize(near_.size());
+  near_bounds_.resize(near_.size());
   activity_.assign(counts.uses_activity ? cloths : 0, ClothActivity<T>{});
   columns_ = in.shape.turning_colliders;
   turns_.resize(columns_ > 0 ? columns_ * (size_t(in.shape.substeps) + 1) : 0);
@@ -60,7 +60,7 @@ void ColliderInputs<T>::follow(const ArenaInput& in, const FrameInput& input) {
     for (const ColliderRecord& c : *in.colliders) {
       if (!c.id || static_cast<int>(c.shape) != shape) continue;
       const ColliderPath path = path_of(c, input.time, input.substeps * input.dt);
-      followed_.push_back({&c, path, reach_of(c, path), path.turns ? column : -1});
+      followed_.push_back({&c, path, swept_bounds(c, path), path.turns ? column : -1});
       if (c.can_turn) ++column;
     }
   }
@@ -144,15 +144,15 @@ size_t ColliderInputs<T>::find_near(const ClothRecord& cloth, double margin, siz
     for (const Followed& e : followed_) {
       if (static_cast<int>(e.record->shape) != shape) continue;
       const size_t index = seen[shape]++;
-      if (!overlaps(low, high, e.reach)) continue;
+      if (!overlaps(low, high, e.bounds)) continue;
       near_[next] = static_cast<int32_t>(index);
-      const WorldReach& r = e.reach;
-      near_reach_[next] = {narrow<T>(box_low(minus(r.low, cloth.origin), slack)),
-                           narrow<T>(box_high(minus(r.high, cloth.origin), slack)),
-                           narrow<T>(minus(r.center, cloth.origin)),
-                           static_cast<T>((r.radius + slack) * (r.radius + slack)),
-                           narrow<T>(r.normal),
-                           static_cast<T>(r.offset - inner(r.normal, cloth.origin) + slack)};
+      const SweptBounds& r = e.bounds;
+      near_bounds_[next] = {narrow<T>(box_low(minus(r.low, cloth.origin), slack)),
+                            narrow<T>(box_high(minus(r.high, cloth.origin), slack)),
+                            narrow<T>(minus(r.center, cloth.origin)),
+                            static_cast<T>((r.radius + slack) * (r.radius + slack)),
+                            narrow<T>(r.normal),
+                            static_cast<T>(r.offset - inner(r.normal, cloth.origin) + slack)};
       ++next;
     }
     activity.near_end[shape] = static_cast<int>(next);
@@ -206,12 +206,16 @@ Status ColliderInputs<T>::upload(const ArenaInput& in, const FrameInput& input,
 
   const Colliders<T>& to = device.sim.colliders;
   const size_t turns = columns_ > 0 ? columns_ * (size_t(input.substeps) + 1) : 0;
-  const Upload uploads[] = {
-      upload_of(to.spheres, spheres_),   upload_of(to.planes, planes_),
-      upload_of(to.capsules, capsules_), upload_of(to.cylinders, cylinders_),
-      upload_of(to.boxes, boxes_),       upload_of(to.meshes, meshes_),
-      upload_of(to.turn, turns_, turns), upload_of(to.near, near_),
-      upload_of(to.reach, near_reach_),  upload_of(device.sim.activity, activity_)};
+  const Upload uploads[] = {upload_of(to.spheres, spheres_),
+                            upload_of(to.planes, planes_),
+                            upload_of(to.capsules, capsules_),
+                            upload_of(to.cylinders, cylinders_),
+                            upload_of(to.boxes, boxes_),
+                            upload_of(to.meshes, meshes_),
+                            upload_of(to.turn, turns_, turns),
+                            upload_of(to.near, near_),
+                            upload_of(to.near_bounds, near_bounds_),
+                            upload_of(device.sim.activity, activity_)};
   for (const Upload& u : uploads) {
     if (u.bytes == 0) continue;
     const Status status = backend_.to_device(const_cast<void*>(u.to), u.from, u.bytes);

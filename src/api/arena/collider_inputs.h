@@ -22,7 +22,7 @@ class ColliderInputs {
   struct Followed {
     const ColliderRecord* record;
     ColliderPath path;
-    WorldReach reach;
+    SweptBounds bounds;
     int32_t turn;
   };
 
@@ -44,7 +44,7 @@ class ColliderInputs {
   std::vector<MeshCollider<T>> meshes_;
   std::vector<Mat3<T>> turns_;  ///< [substep + 1][column]
   std::vector<int32_t> near_;
-  std::vector<ReachOfCollider<T>> near_reach_;
+  std::vector<ColliderBounds<T>> near_bounds_;
   std::vector<ClothActivity<T>> activity_;
   size_t columns_ = 0;
   bool by_block_ = false;

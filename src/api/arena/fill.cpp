@@ -88,9 +88,9 @@ class ImageFiller {
 
   /// Presence bits and, per block, whether any are missing.
   void fill_presence(const ClothRecord& cloth) {
-    const scene::GridShape& grid = cloth.cooked().grid;
+    const scene::CookedGrid& grid = cloth.cooked().grid;
     const scene::StencilTable& table = scene::stencil_table(grid.stencil);
-    const int reach = scene::stencil_reach(grid.stencil);
+    const int radius = scene::stencil_radius(grid.stencil);
     const auto all = static_cast<uint16_t>((1u << table.count) - 1);
     uint16_t* presence = writable(sim_.presence) + cloth.first();
     uint8_t* inner = writable(sim_.block.inner) + cloth.first() / block_size;
@@ -98,10 +98,10 @@ class ImageFiller {
     for (int b = 0; b < blocks; ++b) inner[b] = 1;
     uint32_t v = 0;
     for (uint32_t row = 0; row < grid.rows; ++row) {
-      const bool row_inside = row >= uint32_t(reach) && row + uint32_t(reach) < grid.rows;
+      const bool row_inside = row >= uint32_t(radius) && row + uint32_t(radius) < grid.rows;
       for (uint32_t column = 0; column < grid.columns; ++column, ++v) {
         const bool inside =
-            row_inside && column >= uint32_t(reach) && column + uint32_t(reach) < grid.columns;
+            row_inside && column >= uint32_t(radius) && column + uint32_t(radius) < grid.columns;
         uint16_t bits = all;
         if (!inside) {
           bits = 0;

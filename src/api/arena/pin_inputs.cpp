@@ -9,7 +9,7 @@ namespace weft::api {
 
 template <class T>
 size_t PinInputs<T>::vector_element(size_t slot, size_t component) const {
-  return slot * static_cast<size_t>(backend_.info().particle_step) + component * pitch_;
+  return slot * static_cast<size_t>(backend_.info().vector_stride) + component * pitch_;
 }
 
 template <class T>

@@ -30,7 +30,7 @@ T distance(const Vec3<T>& a, const Vec3<T>& b) {
 
 template <class T>
 void fill_grid_constants(const scene::CookedFabric& fabric, ClothParams<T>& p) {
-  const scene::GridShape& grid = fabric.grid;
+  const scene::CookedGrid& grid = fabric.grid;
   const scene::StencilTable& table = scene::stencil_table(grid.stencil);
   // A single row has nothing above or below: its loads may stay where they are.
   p.columns = grid.rows > 1 ? static_cast<int>(grid.columns) : 0;
@@ -111,21 +111,21 @@ void SpringFiller<T>::fill_rows(const ClothRecord& cloth) {
   size_t hub = 0;
   for (int self = 0; self < slices * block_size; ++self) {
     const int slice = self / block_size;
-    int64_t e = start[slice] + self % block_size, step = block_size, end = start[slice + 1];
+    int64_t e = start[slice] + self % block_size, stride = block_size, end = start[slice + 1];
     if (hub < fabric.hubs.size() && int(fabric.hubs[hub].storage) == self) {
-      for (; e < end; e += step) neighbour[e] = cloth.first() + self;  // its row in the slice
+      for (; e < end; e += stride) neighbour[e] = cloth.first() + self;  // its row in the slice
       const scene::HubRow& row = fabric.hubs[hub++];
       e = entry + row.first;
-      step = 1;
+      stride = 1;
       end = e + (int64_t(row.count) + block_size - 1) / block_size * block_size;
     }
     if (self < static_cast<int>(fabric.vertices)) {
       const uint32_t v = fabric.caller_of[size_t(self)];
-      for (uint64_t k = rows.start[v]; k < rows.start[size_t(v) + 1]; ++k, e += step) {
+      for (uint64_t k = rows.start[v]; k < rows.start[size_t(v) + 1]; ++k, e += stride) {
         fill_entry(cloth, e, v, k);
       }
     }
-    for (; e < end; e += step) neighbour[e] = cloth.first() + self;
+    for (; e < end; e += stride) neighbour[e] = cloth.first() + self;
   }
   fill_hubs(cloth, entry);
 }

@@ -228,22 +228,22 @@ double3 half_of(const ColliderRecord& c, const Placed& placed) {
   return {part(axis.x, c.size), part(axis.y, c.size), part(axis.z, c.size)};
 }
 
-WorldReach reach_of_plane(const ColliderRecord& c, const ColliderPath& path) {
+SweptBounds swept_bounds_of_plane(const ColliderRecord& c, const ColliderPath& path) {
   const double endless = std::numeric_limits<double>::infinity();
-  WorldReach reach;
-  reach.low = {-endless, -endless, -endless};
-  reach.high = {endless, endless, endless};
-  if (path.turns) return reach;
-  reach.normal = rotate(path.begin.rows, c.point);
-  reach.offset = c.size + std::max(inner(reach.normal, path.begin.translate),
-                                   inner(reach.normal, path.end.translate));
-  return reach;
+  SweptBounds bounds;
+  bounds.low = {-endless, -endless, -endless};
+  bounds.high = {endless, endless, endless};
+  if (path.turns) return bounds;
+  bounds.normal = rotate(path.begin.rows, c.point);
+  bounds.offset = c.size + std::max(inner(bounds.normal, path.begin.translate),
+                                    inner(bounds.normal, path.end.translate));
+  return bounds;
 }
 
 }  // namespace
 
-WorldReach reach_of(const ColliderRecord& c, const ColliderPath& path) {
-  if (c.shape == ColliderShape::plane) return reach_of_plane(c, path);
+SweptBounds swept_bounds(const ColliderRecord& c, const ColliderPath& path) {
+  if (c.shape == ColliderShape::plane) return swept_bounds_of_plane(c, path);
   const Ball ball = ball_around(c);
   double3 begin = to_world(path.begin, ball.center), end = to_world(path.end, ball.center);
   double3 half = half_of(c, path.begin);
@@ -253,19 +253,19 @@ WorldReach reach_of(const ColliderRecord& c, const ColliderPath& path) {
     begin = path.begin.translate;
     end = path.end.translate;
   }
-  WorldReach reach;
-  reach.low =
+  SweptBounds bounds;
+  bounds.low =
       minus({std::min(begin.x, end.x), std::min(begin.y, end.y), std::min(begin.z, end.z)}, half);
-  reach.high =
+  bounds.high =
       plus({std::max(begin.x, end.x), std::max(begin.y, end.y), std::max(begin.z, end.z)}, half);
   if (c.shape == ColliderShape::sphere && !path.turns) {
-    reach.center = times(0.5, plus(begin, end));
-    reach.radius = c.size + 0.5 * length(minus(end, begin));
+    bounds.center = times(0.5, plus(begin, end));
+    bounds.radius = c.size + 0.5 * length(minus(end, begin));
   }
-  return reach;
+  return bounds;
 }
 
-bool overlaps(const double3& low, const double3& high, const WorldReach& r) {
+bool overlaps(const double3& low, const double3& high, const SweptBounds& r) {
   const bool in_box = low.x <= r.high.x && high.x >= r.low.x && low.y <= r.high.y &&
                       high.y >= r.low.y && low.z <= r.high.z && high.z >= r.low.z;
   const double3 lowest{r.normal.x > 0 ? low.x : high.x, r.normal.y > 0 ? low.y : high.y,

@@ -47,16 +47,16 @@ struct ColliderPath {
 ColliderPath path_of(const ColliderRecord&, double time, double dt);
 
 /// Where the collider is found at any time of a frame.
-struct WorldReach {
+struct SweptBounds {
   double3 low, high;        ///< endless for planes
   double3 center{0, 0, 0};  ///< spheres: of a ball that holds all of the path
   double radius = std::numeric_limits<double>::infinity();
   double3 normal{0, 0, 0};  ///< planes that do not turn: below dot(normal, x) = offset
   double offset = 1;
 };
-WorldReach reach_of(const ColliderRecord&, const ColliderPath&);
+SweptBounds swept_bounds(const ColliderRecord&, const ColliderPath&);
 /// Whether it comes into a box.
-bool overlaps(const double3& low, const double3& high, const WorldReach&);
+bool overlaps(const double3& low, const double3& high, const SweptBounds&);
 
 /// The motion that takes a collider as it was described to another description of it. Throws
 /// InvalidInput where no rigid motion does; `name` says whose it is.

@@ -1,5 +1,5 @@
 // Colliders that a character sends whole every frame.
-#include "api/world/entry.h"
+#include "api/world/call_guard.h"
 #include "api/context/vector_math.h"
 #include "api/world/state.h"
 #include "scene/check.h"
@@ -46,8 +46,8 @@ api::ColliderSetRecord* World::Impl::find(ColliderSetId id) noexcept {
 }
 
 Result<ColliderSetId> World::create_collider_set(const ColliderSetDesc& desc) noexcept {
-  const api::Entry entry(impl_);
-  if (!entry) return entry.status();
+  const api::CallGuard guard(impl_);
+  if (!guard) return guard.status();
   ColliderSetId id;
   const Status status = api::guarded(*impl_->context, [&] {
     const Described all = described(desc);
@@ -71,8 +71,8 @@ Result<ColliderSetId> World::create_collider_set(const ColliderSetDesc& desc) no
 }
 
 Status World::move_collider_set(ColliderSetId id, const ColliderSetDesc& desc, Move how) noexcept {
-  const api::Entry entry(impl_);
-  if (!entry) return entry.status();
+  const api::CallGuard guard(impl_);
+  if (!guard) return guard.status();
   const api::ColliderSetRecord* set = impl_->find(id);
   if (!set) return impl_->stale("collider set", id.index);
   return api::guarded(*impl_->context, [&] {
@@ -96,8 +96,8 @@ Status World::move_collider_set(ColliderSetId id, const ColliderSetDesc& desc, M
 }
 
 Status World::destroy_collider_set(ColliderSetId id) noexcept {
-  const api::Entry entry(impl_);
-  if (!entry) return entry.status();
+  const api::CallGuard guard(impl_);
+  if (!guard) return guard.status();
   api::ColliderSetRecord* set = impl_->find(id);
   if (!set) return impl_->stale("collider set", id.index);
   return api::guarded(*impl_->context, [&] {

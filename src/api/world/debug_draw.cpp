@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "api/world/entry.h"
+#include "api/world/call_guard.h"
 #include "api/context/vector_math.h"
 #include "api/world/state.h"
 #include "scene/check.h"
@@ -134,8 +134,8 @@ void draw_springs(const DebugDraw& draw, const api::ClothRecord& cloth,
 }  // namespace
 
 Status World::debug_draw(const DebugDraw& draw) noexcept {
-  const api::Entry entry(impl_);
-  if (!entry) return entry.status();
+  const api::CallGuard guard(impl_);
+  if (!guard) return guard.status();
   return api::guarded(*impl_->context, [&] {
     if (!draw.line) {
       throw InvalidInput("line is null (the lines must go somewhere) give a function");

@@ -2,7 +2,7 @@
 // colliders; and who sleeps through it.
 #include <cmath>
 
-#include "api/world/entry.h"
+#include "api/world/call_guard.h"
 #include "api/context/vector_math.h"
 #include "api/world/state.h"
 #include "scene/check.h"
@@ -15,7 +15,7 @@ void World::Impl::wake_all() noexcept {
 }
 
 void World::Impl::wake_touched(const api::ColliderRecord& collider, double dt) {
-  const api::WorldReach reach = reach_of(collider, path_of(collider, time, dt));
+  const api::SweptBounds bounds = swept_bounds(collider, path_of(collider, time, dt));
   for (const ClothId id : order) {
     api::ClothRecord& cloth = *cloths[id.index];
     if (!cloth.asleep) continue;
@@ -24,7 +24,7 @@ void World::Impl::wake_touched(const api::ColliderRecord& collider, double dt) {
     const double3 by{hair, hair, hair};
     const double3 low = api::minus(api::plus(cloth.low, cloth.origin), by);
     const double3 high = api::plus(api::plus(cloth.high, cloth.origin), by);
-    if (api::overlaps(low, high, reach)) api::wake(cloth);
+    if (api::overlaps(low, high, bounds)) api::wake(cloth);
   }
 }
 
@@ -35,8 +35,8 @@ void World::Impl::wake_by_colliders(double dt) {
 }
 
 Status World::set_gravity(double3 gravity) noexcept {
-  const api::Entry entry(impl_);
-  if (!entry) return entry.status();
+  const api::CallGuard guard(impl_);
+  if (!guard) return guard.status();
   return api::guarded(*impl_->context, [&] {
     api::checked_vector(gravity, "gravity");
     if (api::same(gravity, impl_->desc.gravity)) return Status::ok;
@@ -49,8 +49,8 @@ Status World::set_gravity(double3 gravity) noexcept {
 }
 
 Status World::set_forces(ClothId id, View<VertexForce> forces) noexcept {
-  const api::Entry entry(impl_);
-  if (!entry) return entry.status();
+  const api::CallGuard guard(impl_);
+  if (!guard) return guard.status();
   api::ClothRecord* cloth = impl_->find(id);
   if (!cloth) return impl_->stale("cloth", id.index);
   return api::guarded(*impl_->context, [&] {
@@ -67,8 +67,8 @@ Status World::set_forces(ClothId id, View<VertexForce> forces) noexcept {
 }
 
 Status World::set_wind(const WindDesc& wind) noexcept {
-  const api::Entry entry(impl_);
-  if (!entry) return entry.status();
+  const api::CallGuard guard(impl_);
+  if (!guard) return guard.status();
   return api::guarded(*impl_->context, [&] {
     api::checked_vector(wind.velocity, "wind.velocity");
     scene::check_not_negative(wind.air_density, "wind.air_density");
@@ -89,8 +89,8 @@ Status World::set_wind(const WindDesc& wind) noexcept {
 }
 
 Status World::clear_wind() noexcept {
-  const api::Entry entry(impl_);
-  if (!entry) return entry.status();
+  const api::CallGuard guard(impl_);
+  if (!guard) return guard.status();
   if (!impl_->wind) return Status::ok;
   return api::guarded(*impl_->context, [&] {
     impl_->wind.reset();
@@ -129,8 +129,8 @@ void World::Impl::move(api::ColliderRecord& c, const api::Placed& to, Move how) 
 }
 
 Status World::move_collider(ColliderId id, const Pose& pose, Move how) noexcept {
-  const api::Entry entry(impl_);
-  if (!entry) return entry.status();
+  const api::CallGuard guard(impl_);
+  if (!guard) return guard.status();
   api::ColliderRecord* c = impl_->find(id);
   if (!c) return impl_->stale("collider", id.index);
   return api::guarded(*impl_->context, [&] {
@@ -142,8 +142,8 @@ Status World::move_collider(ColliderId id, const Pose& pose, Move how) noexcept 
 }
 
 Status World::wake(ClothId id) noexcept {
-  const api::Entry entry(impl_);
-  if (!entry) return entry.status();
+  const api::CallGuard guard(impl_);
+  if (!guard) return guard.status();
   api::ClothRecord* cloth = impl_->find(id);
   if (!cloth) return impl_->stale("cloth", id.index);
   api::wake(*cloth);
@@ -151,8 +151,8 @@ Status World::wake(ClothId id) noexcept {
 }
 
 Result<bool> World::asleep(ClothId id) noexcept {
-  const api::Entry entry(impl_);
-  if (!entry) return entry.status();
+  const api::CallGuard guard(impl_);
+  if (!guard) return guard.status();
   const api::ClothRecord* cloth = impl_->find(id);
   if (!cloth) return impl_->stale("cloth", id.index);
   return cloth->asleep;

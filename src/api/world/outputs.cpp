@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "api/world/entry.h"
+#include "api/world/call_guard.h"
 #include "api/context/vector_math.h"
 #include "api/world/state.h"
 
@@ -15,8 +15,8 @@ api::OutputRecord* World::Impl::find(OutputId id) noexcept {
 }
 
 Result<OutputId> World::bind_output(ClothId id, const OutputDesc& desc) noexcept {
-  const api::Entry entry(impl_);
-  if (!entry) return entry.status();
+  const api::CallGuard guard(impl_);
+  if (!guard) return guard.status();
   const api::ClothRecord* cloth = impl_->find(id);
   if (!cloth) return impl_->stale("cloth", id.index);
   OutputId made;
@@ -38,8 +38,8 @@ Result<OutputId> World::bind_output(ClothId id, const OutputDesc& desc) noexcept
 }
 
 Status World::unbind_output(OutputId id) noexcept {
-  const api::Entry entry(impl_);
-  if (!entry) return entry.status();
+  const api::CallGuard guard(impl_);
+  if (!guard) return guard.status();
   api::OutputRecord* output = impl_->find(id);
   if (!output) return impl_->stale("output", id.index);
   *output = {};
@@ -48,8 +48,8 @@ Status World::unbind_output(OutputId id) noexcept {
 }
 
 Status World::set_output_memory(OutputId id, void* memory, uint64_t bytes) noexcept {
-  const api::Entry entry(impl_);
-  if (!entry) return entry.status();
+  const api::CallGuard guard(impl_);
+  if (!guard) return guard.status();
   api::OutputRecord* output = impl_->find(id);
   if (!output) return impl_->stale("output", id.index);
   return api::guarded(*impl_->context, [&] {
@@ -84,8 +84,8 @@ static api::VertexTarget target_of(const api::ClothRecord& cloth, api::OutputRec
 }
 
 Status World::write_outputs(double alpha) noexcept {
-  const api::Entry entry(impl_);
-  if (!entry) return entry.status();
+  const api::CallGuard guard(impl_);
+  if (!guard) return guard.status();
   const api::Zone zone(*impl_->context, "weft write_outputs");
   return api::guarded(*impl_->context, [&] {
     if (!(alpha >= 0 && alpha <= 1)) {

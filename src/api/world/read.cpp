@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "api/arena/image.h"
-#include "api/world/entry.h"
+#include "api/world/call_guard.h"
 #include "plan/device_arrays.h"
 #include "api/records/evaluation.h"
 #include "api/world/state.h"
@@ -48,8 +48,8 @@ void World::Impl::want_normals() {
 /// Reads one cloth and hands every vertex's value to `use`.
 template <class Use>
 static Status read_cloth(World::Impl* impl, ClothId id, api::StateArray which, Use use) {
-  const api::Entry entry(impl);
-  if (!entry) return entry.status();
+  const api::CallGuard guard(impl);
+  if (!guard) return guard.status();
   api::ClothRecord* cloth = impl->find(id);
   if (!cloth) return impl->stale("cloth", id.index);
   return api::guarded(*impl->context, [&] {
@@ -69,8 +69,8 @@ static Status read_cloth(World::Impl* impl, ClothId id, api::StateArray which, U
 template <class Point>
 static Status read_points(World::Impl* impl, ClothId id, api::StateArray which, const char* what,
                           Point* out, uint32_t stride) {
-  const api::Entry entry(impl);
-  if (!entry) return entry.status();
+  const api::CallGuard guard(impl);
+  if (!guard) return guard.status();
   if (const api::ClothRecord* cloth = impl->find(id);
       cloth && cloth->cooked().vertices > 0 && (!out || stride < sizeof(Point))) {
     return impl->context->fail(
@@ -99,8 +99,8 @@ Status World::read_positions(ClothId id, float3* out, uint32_t stride) noexcept 
 
 template <class Point>
 static Status read_normals(World::Impl* impl, ClothId id, Point* out, uint32_t stride) {
-  const api::Entry entry(impl);
-  if (!entry) return entry.status();
+  const api::CallGuard guard(impl);
+  if (!guard) return guard.status();
   if (impl->find(id)) impl->want_normals();
   return read_points(impl, id, api::StateArray::normal, "normals", out, stride);
 }
@@ -112,8 +112,8 @@ Status World::read_normals(ClothId id, float3* out, uint32_t stride) noexcept {
 }
 
 Status World::read_accelerations(ClothId id, double3* out) noexcept {
-  const api::Entry entry(impl_);
-  if (!entry) return entry.status();
+  const api::CallGuard guard(impl_);
+  if (!guard) return guard.status();
   if (impl_->find(id) && !out) {
     return impl_->context->fail(
         Status::invalid_argument,
@@ -125,8 +125,8 @@ Status World::read_accelerations(ClothId id, double3* out) noexcept {
 
 /// v = d/dt + a dt/2 with every force of the scheme: lagged drag acts on d/dt, central drag on v.
 Status World::read_velocities(ClothId id, double3* out) noexcept {
-  const api::Entry entry(impl_);
-  if (!entry) return entry.status();
+  const api::CallGuard guard(impl_);
+  if (!guard) return guard.status();
   if (impl_->find(id) && !out) {
     return impl_->context->fail(Status::invalid_argument,
                                 "velocities into a null pointer (there is no room) give a buffer");
@@ -158,8 +158,8 @@ Status World::read_velocities(ClothId id, double3* out) noexcept {
 }
 
 Result<Mechanics> World::mechanics() noexcept {
-  const api::Entry entry(impl_);
-  if (!entry) return entry.status();
+  const api::CallGuard guard(impl_);
+  if (!guard) return guard.status();
   Mechanics sum{0, 0, 0, {0, 0, 0}, 0};
   for (const ClothId id : impl_->order) {
     const api::ClothRecord& cloth = *impl_->find(id);
@@ -206,8 +206,8 @@ class Fnv1a {
 }  // namespace
 
 Result<uint64_t> World::state_hash() noexcept {
-  const api::Entry entry(impl_);
-  if (!entry) return entry.status();
+  const api::CallGuard guard(impl_);
+  if (!guard) return guard.status();
   Fnv1a hash;
   const bool wide = impl_->desc.precision == Precision::float64;
   for (const ClothId id : impl_->order) {
@@ -230,8 +230,8 @@ Result<uint64_t> World::state_hash() noexcept {
 
 Stability World::stability() noexcept {
   Stability none{INFINITY, {}, 0, 0};
-  const api::Entry entry(impl_);
-  if (!entry) return none;
+  const api::CallGuard guard(impl_);
+  if (!guard) return none;
   Stability found = none;
   const Status status = api::guarded(*impl_->context, [&] {
     found = impl_->tightest();
@@ -241,8 +241,8 @@ Stability World::stability() noexcept {
 }
 
 Result<Stability> World::stability(ClothId id) noexcept {
-  const api::Entry entry(impl_);
-  if (!entry) return entry.status();
+  const api::CallGuard guard(impl_);
+  if (!guard) return guard.status();
   api::ClothRecord* cloth = impl_->find(id);
   if (!cloth) return impl_->stale("cloth", id.index);
   const Status status = api::guarded(*impl_->context, [&] {
@@ -254,8 +254,8 @@ Result<Stability> World::stability(ClothId id) noexcept {
 }
 
 Result<PlanInfo> World::plan() noexcept {
-  const api::Entry entry(impl_);
-  if (!entry) return entry.status();
+  const api::CallGuard guard(impl_);
+  if (!guard) return guard.status();
   PlanInfo info{};
   const Status status = api::guarded(*impl_->context, [&] {
     const api::ArenaInput in =
@@ -276,7 +276,7 @@ Result<PlanInfo> World::plan() noexcept {
                                     cost.gather, cost.scatter});
     }
     info.evaluations = {impl_->evaluations.data(), impl_->evaluations.size()};
-    info.bytes_state = plan::device_bytes(in.shape, impl_->context->backend->info().particle_step);
+    info.bytes_state = plan::device_bytes(in.shape, impl_->context->backend->info().vector_stride);
     const uint64_t arena_now = impl_->built ? impl_->arena->bytes() : 0;
     info.bytes_total = impl_->context->memory.held() - arena_now + info.bytes_state;
     return Status::ok;

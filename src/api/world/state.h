@@ -128,7 +128,7 @@ struct __attribute__((visibility("hidden"))) World::Impl {
   uint32_t built_substeps = 0;
   bool lost = false;  ///< diverged, or the device failed
 
-  std::atomic<const void*> inside{nullptr};  ///< the thread that is inside (entry.h)
+  std::atomic<const void*> inside{nullptr};  ///< the thread that is inside (call_guard.h)
   api::Flight flight;
 
   double time = 0, time_base = 0;  ///< time = base + frames of one length

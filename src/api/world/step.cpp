@@ -5,7 +5,7 @@
 
 #include "api/arena/collider_mesh_arrays.h"
 #include "api/arena/parts.h"
-#include "api/world/entry.h"
+#include "api/world/call_guard.h"
 #include "api/context/vector_math.h"
 #include "api/world/state.h"
 #include "scene/stability.h"
@@ -177,8 +177,8 @@ std::string World::Impl::bound_text(const Stability& bound, double dt, uint32_t 
 }
 
 Result<uint32_t> World::substeps(double dt) noexcept {
-  const api::Entry entry(impl_);
-  if (!entry) return entry.status();
+  const api::CallGuard guard(impl_);
+  if (!guard) return guard.status();
   uint32_t count = 0;
   const Status status = api::guarded(*impl_->context, [&] {
     if (!std::isfinite(dt) || dt < 0 || std::fpclassify(dt) == FP_SUBNORMAL) {
@@ -209,8 +209,8 @@ Result<uint32_t> World::substeps(double dt) noexcept {
 }
 
 Status World::prepare(double dt) noexcept {
-  const api::Entry entry(impl_);
-  if (!entry) return entry.status();
+  const api::CallGuard guard(impl_);
+  if (!guard) return guard.status();
   Result<uint32_t> n = substeps(dt);
   if (!n) return n.status();
   if (dt == 0) return Status::ok;
@@ -342,8 +342,8 @@ Status World::Impl::run(double dt, uint32_t substeps) {
 }
 
 Status World::step(double dt) noexcept {
-  const api::Entry entry(impl_);
-  if (!entry) return entry.status();
+  const api::CallGuard guard(impl_);
+  if (!guard) return guard.status();
   Result<uint32_t> n = substeps(dt);
   if (!n) return n.status();
   if (dt == 0) return Status::ok;

@@ -3,15 +3,15 @@
 #include <cmath>
 #include <system_error>
 
-#include "api/world/entry.h"
+#include "api/world/call_guard.h"
 #include "api/world/state.h"
 
 namespace weft {
 inline namespace v0 {
 
 Result<Advance> World::advance(double frame_dt) noexcept {
-  const api::Entry entry(impl_);
-  if (!entry) return entry.status();
+  const api::CallGuard guard(impl_);
+  if (!guard) return guard.status();
   const double fixed = impl_->desc.fixed_dt;
   Advance made;
   const Status status = api::guarded(*impl_->context, [&] {
@@ -69,8 +69,8 @@ void World::Impl::start_flight() {
 void World::Impl::wait_for_flight() noexcept { flight.done.wait(false, std::memory_order_acquire); }
 
 Status World::begin_step(double dt) noexcept {
-  const api::Entry entry(impl_);
-  if (!entry) return entry.status();
+  const api::CallGuard guard(impl_);
+  if (!guard) return guard.status();
   Result<uint32_t> n = substeps(dt);
   if (!n) return n.status();
   return api::guarded(*impl_->context, [&] {
@@ -89,8 +89,8 @@ bool World::step_done() const noexcept {
 }
 
 Status World::end_step() noexcept {
-  const api::Entry entry(impl_, api::Entry::During::flight);
-  if (!entry) return entry.status();
+  const api::CallGuard guard(impl_, api::CallGuard::During::flight);
+  if (!guard) return guard.status();
   impl_->wait_for_flight();
   impl_->flight.active = false;
   if (impl_->flight.dt == 0) return Status::ok;

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "api/arena/parts.h"
-#include "api/world/entry.h"
+#include "api/world/call_guard.h"
 #include "api/records/evaluation.h"
 #include "api/context/vector_math.h"
 #include "api/world/state.h"
@@ -102,8 +102,8 @@ World& World::operator=(World&& other) noexcept {
 World::~World() { delete impl_; }
 
 Result<ClothId> World::create_cloth(const ClothDesc& cloth_desc) noexcept {
-  const api::Entry entry(impl_);
-  if (!entry) return entry.status();
+  const api::CallGuard guard(impl_);
+  if (!guard) return guard.status();
   ClothId id;
   const Status status = api::guarded(*impl_->context, [&] {
     auto record = std::make_unique<api::ClothRecord>(&impl_->context->memory);
@@ -129,8 +129,8 @@ Result<ClothId> World::create_cloth(const ClothDesc& cloth_desc) noexcept {
 }
 
 Status World::destroy_cloth(ClothId id) noexcept {
-  const api::Entry entry(impl_);
-  if (!entry) return entry.status();
+  const api::CallGuard guard(impl_);
+  if (!guard) return guard.status();
   if (!impl_->find(id)) return impl_->stale("cloth", id.index);
   return api::guarded(*impl_->context, [&] {
     // The others' state must come to the host while the arena still matches its records.
@@ -173,8 +173,8 @@ void World::Impl::remove(api::ColliderRecord& collider) {
 
 template <class Desc>
 static Result<ColliderId> add_collider(World::Impl* impl, const Desc& desc) {
-  const api::Entry entry(impl);
-  if (!entry) return entry.status();
+  const api::CallGuard guard(impl);
+  if (!guard) return guard.status();
   ColliderId id;
   const Status status = api::guarded(*impl->context, [&] {
     id = impl->add(api::record_of(desc));
@@ -203,8 +203,8 @@ Result<ColliderId> World::create_mesh(const MeshColliderDesc& d) noexcept {
 }
 
 Status World::destroy_collider(ColliderId id) noexcept {
-  const api::Entry entry(impl_);
-  if (!entry) return entry.status();
+  const api::CallGuard guard(impl_);
+  if (!guard) return guard.status();
   api::ColliderRecord* collider = impl_->find(id);
   if (!collider) return impl_->stale("collider", id.index);
   return api::guarded(*impl_->context, [&] {
@@ -232,8 +232,8 @@ static void check_vertices(const api::ClothRecord& cloth, View<uint32_t> vertice
 }
 
 Status World::move_pins(ClothId id, View<uint32_t> vertices, PointView targets) noexcept {
-  const api::Entry entry(impl_);
-  if (!entry) return entry.status();
+  const api::CallGuard guard(impl_);
+  if (!guard) return guard.status();
   api::ClothRecord* cloth = impl_->find(id);
   if (!cloth) return impl_->stale("cloth", id.index);
   return api::guarded(*impl_->context, [&] {
@@ -276,8 +276,8 @@ Status World::move_pins(ClothId id, View<uint32_t> vertices, PointView targets) 
 }
 
 Status World::set_skinned_targets(ClothId id, PointView targets) noexcept {
-  const api::Entry entry(impl_);
-  if (!entry) return entry.status();
+  const api::CallGuard guard(impl_);
+  if (!guard) return guard.status();
   const api::ClothRecord* cloth = impl_->find(id);
   if (!cloth) return impl_->stale("cloth", id.index);
   return api::guarded(*impl_->context, [&] {
@@ -298,8 +298,8 @@ Status World::set_skinned_targets(ClothId id, PointView targets) noexcept {
 }
 
 Status World::release_pins(ClothId id, View<uint32_t> vertices) noexcept {
-  const api::Entry entry(impl_);
-  if (!entry) return entry.status();
+  const api::CallGuard guard(impl_);
+  if (!guard) return guard.status();
   api::ClothRecord* cloth = impl_->find(id);
   if (!cloth) return impl_->stale("cloth", id.index);
   return api::guarded(*impl_->context, [&] {
@@ -316,8 +316,8 @@ Status World::release_pins(ClothId id, View<uint32_t> vertices) noexcept {
 }
 
 Result<View<Diagnostic>> World::diagnostics(ClothId id) noexcept {
-  const api::Entry entry(impl_);
-  if (!entry) return entry.status();
+  const api::CallGuard guard(impl_);
+  if (!guard) return guard.status();
   api::ClothRecord* cloth = impl_->find(id);
   if (!cloth) return impl_->stale("cloth", id.index);
   View<Diagnostic> told;

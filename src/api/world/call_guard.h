@@ -6,15 +6,15 @@
 
 namespace weft::api {
 
-class Entry {
+class CallGuard {
  public:
   enum class During : uint8_t { rest, flight };
 
   /// `during`: whether a step must be in flight, or must not.
-  explicit Entry(World::Impl* world, During during = During::rest) noexcept;
-  ~Entry();
-  Entry(const Entry&) = delete;
-  Entry& operator=(const Entry&) = delete;
+  explicit CallGuard(World::Impl* world, During during = During::rest) noexcept;
+  ~CallGuard();
+  CallGuard(const CallGuard&) = delete;
+  CallGuard& operator=(const CallGuard&) = delete;
 
   explicit operator bool() const { return status_ == Status::ok; }
   Status status() const { return status_; }

@@ -1,4 +1,4 @@
-#include "api/world/entry.h"
+#include "api/world/call_guard.h"
 
 namespace weft::api {
 
@@ -8,7 +8,7 @@ static const void* this_thread() noexcept {
   return &name;
 }
 
-Entry::Entry(World::Impl* world, During during) noexcept {
+CallGuard::CallGuard(World::Impl* world, During during) noexcept {
   if (!world) {
     status_ = Status::invalid_handle;
     return;
@@ -31,7 +31,7 @@ Entry::Entry(World::Impl* world, During during) noexcept {
   }
 }
 
-Entry::~Entry() {
+CallGuard::~CallGuard() {
   if (held_) held_->inside.store(nullptr);
 }
 

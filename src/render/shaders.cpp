@@ -15,7 +15,7 @@ void main() {
   facing = normal;
   weave_at = weave;
   weave_facing = weave_normal;
-  open = lit(position, dot(normal, light) > 0.0 ? normal : -normal, 1, 1.7);
+  open = lit(position, dot(normal, light) > 0.0 ? normal : -normal, 0, 0.0);
   gl_Position = before(position);
 }
 )";

@@ -17,6 +17,16 @@ WEFT_HD int shift_to(Part part, const ClothParams<T>& cloth) {
   return cloth.part[static_cast<int>(part)];
 }
 
+/// Where a moving pin is at the end of the substep. What stands in its place where no pin moves
+/// (motion -1) has no meaning.
+template <class T>
+WEFT_HD Vec3<T> pin_target(const MovingPins<T>& pins, const StepParams<T>& step, int slot,
+                           int motion) {
+  const Vec3<T>* offset = pins.offset + int64_t(step.substep) * pins.motions;
+  return load(pins.base, slot) + step.fraction * load(pins.glide, slot) +
+         offset[motion < 0 ? 0 : motion];
+}
+
 template <class T>
 struct ParticleStages {
   Simulation<T> sim;
@@ -57,19 +67,12 @@ struct ParticleStages {
     return integrate_otherwise(cloth, region, i0, lanes, force);
   }
 
-  /// Where a moving pin is at the end of the substep; of another lane of its block, anywhere.
-  WEFT_HD Vec3<T> pin_target(int slot, int motion) const {
-    const Vec3<T>* offset = sim.pins.offset + int64_t(step.substep) * sim.pins.motions;
-    return load(sim.pins.base, slot) + step.fraction * load(sim.pins.glide, slot) +
-           offset[motion < 0 ? 0 : motion];
-  }
-
   /// Puts the moving pins of a block there.
   template <int N>
   WEFT_HD void place_pins(int slot0, int i0, Lanes<N> lanes) const {
     lanes.each([&](int l) WEFT_LANE {
       const int motion = sim.pins.motion[slot0 + l];
-      const Vec3<T> target = pin_target(slot0 + l, motion);
+      const Vec3<T> target = pin_target(sim.pins, step, slot0 + l, motion);
       const Vec3<T> x = select(motion < 0, load(p.x_out, i0 + l), target);
       const Vec3<T> d = x - load(p.x_in, i0 + l);
       store(p.x_out, i0 + l, x);

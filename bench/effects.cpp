@@ -57,7 +57,7 @@ class Sheets {
  public:
   explicit Sheets(Interleaved& runs) : runs_(runs) {
     add("bare sheet", {}, 0);
-    for (const samples::Effect& e : samples::effects()) {
+    for (const samples::Effect& e : samples::effects) {
       const size_t bare = e.needs.line ? add(e.needs.line, {&e.needs}, 0) : 0;
       add(e, e.used, bare);
       for (const Change& c : e.null) add(e, c, bare);

@@ -12,32 +12,29 @@ inline void hang(ClothDesc& d) {
   d.pins = View<Pin>(pins, 2);
 }
 
-inline Effect central_drag() {
-  return {.name = "central_drag",
-          .used = {.line = "central drag, used", .dress = [](ClothDesc& d) { d.drag = 1e-5; }},
-          .null = {{.dress = [](ClothDesc& d) { d.drag = 0; }}},
-          .cloth_keys = R"("damping": {"drag": 1e-5})"};
-}
+inline constexpr Effect central_drag{
+    .name = "central_drag",
+    .used = {.line = "central drag, used", .dress = [](ClothDesc& d) { d.drag = 1e-5; }},
+    .null = {{.dress = [](ClothDesc& d) { d.drag = 0; }}},
+    .cloth_keys = R"("damping": {"drag": 1e-5})"};
 
-inline Effect lagged_drag() {
-  return {.name = "lagged_drag",
-          .used = {.line = "lagged drag, used",
-                   .dress =
-                       [](ClothDesc& d) {
-                         d.drag = 1e-5;
-                         d.drag_model = DragModel::lagged;
-                       }},
-          .null = {{.dress = [](ClothDesc& d) { d.drag_model = DragModel::lagged; }}},
-          .cloth_keys = R"("damping": {"drag": 1e-5, "drag_model": "lagged"})"};
-}
+inline constexpr Effect lagged_drag{
+    .name = "lagged_drag",
+    .used = {.line = "lagged drag, used",
+             .dress =
+                 [](ClothDesc& d) {
+                   d.drag = 1e-5;
+                   d.drag_model = DragModel::lagged;
+                 }},
+    .null = {{.dress = [](ClothDesc& d) { d.drag_model = DragModel::lagged; }}},
+    .cloth_keys = R"("damping": {"drag": 1e-5, "drag_model": "lagged"})"};
 
-inline Effect spring_damping() {
-  return {.name = "spring_damping",
-          .used = {.line = "spring damping, used",
-                   .dress = [](ClothDesc& d) { d.spring_damping = 1e-5; }},
-          .null = {{.dress = [](ClothDesc& d) { d.spring_damping = 0; }}},
-          .cloth_keys = R"("damping": {"spring": 1e-5})"};
-}
+inline constexpr Effect spring_damping{
+    .name = "spring_damping",
+    .used = {.line = "spring damping, used",
+             .dress = [](ClothDesc& d) { d.spring_damping = 1e-5; }},
+    .null = {{.dress = [](ClothDesc& d) { d.spring_damping = 0; }}},
+    .cloth_keys = R"("damping": {"spring": 1e-5})"};
 
 inline void push(ClothDesc& d) {
   static constexpr VertexForce forces[] = {{7, {0, 0.002, 0.001}}, {40, {0.001, 0, 0}}};
@@ -47,13 +44,12 @@ inline void push_with_nothing(ClothDesc& d) {
   static constexpr VertexForce forces[] = {{3, {0, 0, 0}}};
   d.forces = View<VertexForce>(forces, 1);
 }
-inline Effect constant_forces() {
-  return {.name = "constant_forces",
-          .used = {.line = "constant forces, used", .dress = push},
-          .null = {{.dress = push_with_nothing}},
-          .cloth_keys = R"("forces": [{"vertices": [7], "force": [0, 0.002, 0.001]},
+inline constexpr Effect constant_forces{
+    .name = "constant_forces",
+    .used = {.line = "constant forces, used", .dress = push},
+    .null = {{.dress = push_with_nothing}},
+    .cloth_keys = R"("forces": [{"vertices": [7], "force": [0, 0.002, 0.001]},
                                       {"vertices": [40], "force": [0.001, 0, 0]}])"};
-}
 
 inline void move_pins(ClothDesc& d) {
   static constexpr Pin pins[] = {{pinned_vertices[0], 0}, {pinned_vertices[1], 1}};
@@ -68,16 +64,14 @@ inline void lead_pins_nowhere(ClothDesc& d) {
   d.pins = View<Pin>(pins, 2);
   d.motions = View<PinMotion>(motions, 1);
 }
-inline Effect moving_pins() {
-  return {.name = "moving_pins",
-          .used = {.line = "moving pins, used", .dress = move_pins},
-          .null = {{.dress = lead_pins_nowhere}},
-          .needs = {.dress = hang},
-          .cloth_keys = R"("pins": [
+inline constexpr Effect moving_pins{.name = "moving_pins",
+                                    .used = {.line = "moving pins, used", .dress = move_pins},
+                                    .null = {{.dress = lead_pins_nowhere}},
+                                    .needs = {.dress = hang},
+                                    .cloth_keys = R"("pins": [
             {"vertices": [0],
              "motion": {"velocity": [0.1, 0, 0], "amplitude": [0, 0.05, 0.1], "omega": 5}},
             {"vertices": [255], "motion": {"amplitude": [0.1, 0, 0], "omega": 23}}])"};
-}
 
 /// Pins that the caller moves, adds and releases between steps.
 inline void lead_pins(Stage& s, int frame) {
@@ -91,38 +85,35 @@ inline void lead_pins(Stage& s, int frame) {
     }
   }
 }
-inline Effect led_pins() { return {.name = "led_pins", .used = {.lead = lead_pins}}; }
+inline constexpr Effect led_pins{.name = "led_pins", .used = {.lead = lead_pins}};
 
 inline void wake_the_first(Stage& s, int frame) {
   if (frame != 8) return;
   if (!take(s.world.asleep(s.cloths[0]))) throw std::runtime_error("no cloth sleeps");
   check(s.world.wake(s.cloths[0]));
 }
-inline Effect sleep() {
-  return {.name = "sleep",
-          .used = {.dress =
-                       [](ClothDesc& d) {
-                         d.sleep_speed = 0.6;
-                         d.sleep_time = 0.05;
-                       },
-                   .lead = wake_the_first},
-          .null = {{.line = "sleep, awake", .dress = [](ClothDesc& d) { d.sleep_speed = 1e-6; }}},
-          .timed = {{.line = "sleep, asleep",
-                     .begin =
-                         [](WorldDesc& w) {
-                           w.gravity = {0, 0, 0};
-                         },
-                     .dress =
-                         [](ClothDesc& d) {
-                           d.sleep_speed = 1e-3;
-                           d.sleep_time = 0;
-                         }}},
-          .cloth_keys = R"("sleep": {"speed": 0.6, "time": 0.05})"};
-}
+inline constexpr Effect sleep{
+    .name = "sleep",
+    .used = {.dress =
+                 [](ClothDesc& d) {
+                   d.sleep_speed = 0.6;
+                   d.sleep_time = 0.05;
+                 },
+             .lead = wake_the_first},
+    .null = {{.line = "sleep, awake", .dress = [](ClothDesc& d) { d.sleep_speed = 1e-6; }}},
+    .timed = {{.line = "sleep, asleep",
+               .begin =
+                   [](WorldDesc& w) {
+                     w.gravity = {0, 0, 0};
+                   },
+               .dress =
+                   [](ClothDesc& d) {
+                     d.sleep_speed = 1e-3;
+                     d.sleep_time = 0;
+                   }}},
+    .cloth_keys = R"("sleep": {"speed": 0.6, "time": 0.05})"};
 
-inline std::vector<Effect> cloth_effects() {
-  return {central_drag(), lagged_drag(), spring_damping(), constant_forces(),
-          moving_pins(),  led_pins(),    sleep()};
-}
+inline constexpr Effect cloth_effects[] = {
+    central_drag, lagged_drag, spring_damping, constant_forces, moving_pins, led_pins, sleep};
 
 }  // namespace weft::samples

@@ -8,11 +8,6 @@ namespace weft::samples {
 constexpr double far_away = 1000;  ///< m: out of reach of every cloth
 
 enum class Way { smooth, rough, moving, turning, fast };
-constexpr const char* suffix_of(Way way) {
-  constexpr const char* names[] = {"", "_rough", "_moving", "_turning", "_fast"};
-  return names[int(way)];
-}
-
 /// All but a smooth collider have friction.
 template <class Desc>
 void go(Desc& collider, Way way) {
@@ -20,13 +15,11 @@ void go(Desc& collider, Way way) {
   if (way == Way::moving) collider.velocity = {0.25, 0, 0.125};
   if (way == Way::fast) collider.velocity = {9, 3, 15};
 }
-/// The same in a scene file, behind its shape.
-inline std::string keys_of(const std::string& shape, Way way) {
-  if (way == Way::turning) return "";  // a scene's colliders do not turn
-  std::string keys = "\"colliders\": [{" + shape;
-  if (way != Way::smooth) keys += R"(, "friction": 0.5)";
-  if (way == Way::moving) keys += R"(, "velocity": [0.25, 0, 0.125])";
-  return keys + "}]";
+/// The same in a scene file, behind the shape.
+constexpr const char* keys_of(Way way) {
+  if (way == Way::smooth) return "}]";
+  if (way == Way::rough) return R"(, "friction": 0.5}])";
+  return R"(, "friction": 0.5, "velocity": [0.25, 0, 0.125]}])";
 }
 inline void turn(Stage& s, int frame) {
   const Pose pose{{0.2, 0.1, 1}, 1.5 * frame, {0.002 * frame, 0, 0.004 * frame}};
@@ -71,40 +64,52 @@ void put_far(Stage& s) {
   add(s, collider);
 }
 
+/// `keys`: the shape in a scene file, which cannot say that a collider turns.
 template <auto shape, Way way>
-Effect collider(const std::string& name, const std::string& keys, const char* line = nullptr) {
-  return {.name = name + suffix_of(way),
-          .used = {.line = line,
-                   .furnish = put<shape, way>,
-                   .lead = way == Way::turning ? turn : nullptr},
-          .scene_keys = keys_of("\"" + name + "\": " + keys, way)};
+constexpr Effect collider(const char* name, const char* keys, const char* line = nullptr) {
+  Effect effect{.name = name, .used = {.line = line, .furnish = put<shape, way>}};
+  if (way == Way::smooth) effect.null[0] = {.furnish = put_far<shape>};
+  if (way == Way::turning) {
+    effect.used.lead = turn;
+  } else {
+    const char* const pieces[] = {R"("colliders": [{)", keys, keys_of(way)};
+    for (int i = 0; i < 3; ++i) effect.scene_keys[i] = pieces[i];
+  }
+  return effect;
 }
-/// One shape in every way; null lines are not timed.
-template <auto shape>
-void append_shape(std::vector<Effect>& all, const char* name, const char* keys, const char* line,
-                  const char* rough_line = nullptr, const char* moving_line = nullptr) {
-  all.push_back(collider<shape, Way::smooth>(name, keys, line));
-  all.back().null = {{.furnish = put_far<shape>}};
-  all.push_back(collider<shape, Way::rough>(name, keys, rough_line));
-  all.push_back(collider<shape, Way::moving>(name, keys, moving_line));
-  all.push_back(collider<shape, Way::turning>(name, keys));
-}
-inline std::vector<Effect> shape_effects() {
-  std::vector<Effect> all;
-  append_shape<plane>(all, "plane", R"({"normal": [0, 0, 1], "offset": 0})",
-                      "plane, all of the sheet on it", "plane with friction, all on it");
-  append_shape<sphere>(all, "sphere", R"({"center": [0.5, 0.5, -0.4], "radius": 0.4})",
-                       "sphere, used", "sphere with friction, used", "moving sphere, used");
-  append_shape<capsule>(all, "capsule",
-                        R"({"a": [0.2, 0.5, -0.2], "b": [0.8, 0.5, -0.2], "radius": 0.2})",
-                        "capsule, used");
-  append_shape<cylinder>(all, "cylinder",
-                         R"({"a": [0.5, 0.5, -1], "b": [0.5, 0.5, 0], "radius": 0.3})",
-                         "cylinder, used");
-  append_shape<box>(all, "box", R"({"center": [0.5, 0.5, -0.2], "half": [0.3, 0.3, 0.2]})",
-                    "box, used");
-  return all;
-}
+
+inline constexpr const char* plane_keys = R"("plane": {"normal": [0, 0, 1], "offset": 0})";
+inline constexpr const char* sphere_keys =
+    R"("sphere": {"center": [0.5, 0.5, -0.4], "radius": 0.4})";
+inline constexpr const char* capsule_keys =
+    R"("capsule": {"a": [0.2, 0.5, -0.2], "b": [0.8, 0.5, -0.2], "radius": 0.2})";
+inline constexpr const char* cylinder_keys =
+    R"("cylinder": {"a": [0.5, 0.5, -1], "b": [0.5, 0.5, 0], "radius": 0.3})";
+inline constexpr const char* box_keys =
+    R"("box": {"center": [0.5, 0.5, -0.2], "half": [0.3, 0.3, 0.2]})";
+
+inline constexpr Effect shape_effects[] = {
+    collider<plane, Way::smooth>("plane", plane_keys, "plane, all of the sheet on it"),
+    collider<plane, Way::rough>("plane_rough", plane_keys, "plane with friction, all on it"),
+    collider<plane, Way::moving>("plane_moving", plane_keys),
+    collider<plane, Way::turning>("plane_turning", plane_keys),
+    collider<sphere, Way::smooth>("sphere", sphere_keys, "sphere, used"),
+    collider<sphere, Way::rough>("sphere_rough", sphere_keys, "sphere with friction, used"),
+    collider<sphere, Way::moving>("sphere_moving", sphere_keys, "moving sphere, used"),
+    collider<sphere, Way::turning>("sphere_turning", sphere_keys),
+    collider<capsule, Way::smooth>("capsule", capsule_keys, "capsule, used"),
+    collider<capsule, Way::rough>("capsule_rough", capsule_keys),
+    collider<capsule, Way::moving>("capsule_moving", capsule_keys),
+    collider<capsule, Way::turning>("capsule_turning", capsule_keys),
+    collider<cylinder, Way::smooth>("cylinder", cylinder_keys, "cylinder, used"),
+    collider<cylinder, Way::rough>("cylinder_rough", cylinder_keys),
+    collider<cylinder, Way::moving>("cylinder_moving", cylinder_keys),
+    collider<cylinder, Way::turning>("cylinder_turning", cylinder_keys),
+    collider<box, Way::smooth>("box", box_keys, "box, used"),
+    collider<box, Way::rough>("box_rough", box_keys),
+    collider<box, Way::moving>("box_moving", box_keys),
+    collider<box, Way::turning>("box_turning", box_keys),
+};
 
 inline void put_sphere_and_plane(Stage& s) {
   add(s, sphere(0));
@@ -114,14 +119,13 @@ inline void put_both_far(Stage& s) {
   add(s, sphere(far_away));
   add(s, plane(far_away));
 }
-inline Effect sphere_and_plane() {
-  return {.name = "sphere_and_plane",
-          .used = {.line = "sphere and plane, used", .furnish = put_sphere_and_plane},
-          .null = {{.line = "sphere and plane, out of reach", .furnish = put_both_far}},
-          .scene_keys = R"("colliders": [
+inline constexpr Effect sphere_and_plane{
+    .name = "sphere_and_plane",
+    .used = {.line = "sphere and plane, used", .furnish = put_sphere_and_plane},
+    .null = {{.line = "sphere and plane, out of reach", .furnish = put_both_far}},
+    .scene_keys = {R"("colliders": [
             {"sphere": {"center": [0.5, 0.5, -0.4], "radius": 0.4}},
-            {"plane": {"normal": [0, 0, 1], "offset": -0.3}}])"};
-}
+            {"plane": {"normal": [0, 0, 1], "offset": -0.3}}])"}};
 
 /// 8 x 8 of them side by side.
 inline void put_spheres(Stage& s, double depth, double radius) {
@@ -129,15 +133,13 @@ inline void put_spheres(Stage& s, double depth, double radius) {
     add(s, SphereDesc{{(i % 8 + 0.5) / 8, (i / 8 + 0.5) / 8, -depth}, radius});
   }
 }
-inline Effect many_spheres() {
-  return {
-      .name = "many_spheres",
-      .used = {.line = "64 spheres, used", .furnish = [](Stage& s) { put_spheres(s, 0.05, 0.06); }},
-      .null = {{.line = "64 spheres, out of reach",
-                .furnish = [](Stage& s) { put_spheres(s, far_away, 0.05); }}},
-      .timed = {{.line = "64 spheres, near but not touched",
-                 .furnish = [](Stage& s) { put_spheres(s, 0.06, 0.05); }}}};
-}
+inline constexpr Effect many_spheres{
+    .name = "many_spheres",
+    .used = {.line = "64 spheres, used", .furnish = [](Stage& s) { put_spheres(s, 0.05, 0.06); }},
+    .null = {{.line = "64 spheres, out of reach",
+              .furnish = [](Stage& s) { put_spheres(s, far_away, 0.05); }}},
+    .timed = {{.line = "64 spheres, near but not touched",
+               .furnish = [](Stage& s) { put_spheres(s, 0.06, 0.05); }}}};
 
 /// One of each shape, small enough to stand side by side.
 template <Way way>
@@ -152,16 +154,12 @@ void put_all_shapes(Stage& s) {
   put_one(CylinderDesc{{0.5, 0.6, -0.3}, {0.5, 0.5, -0.08}, 0.1});
   put_one(BoxDesc{{0.8, 0.8, -0.2}, {0.1, 0.1, 0.12}, {1, 2, 3}, 30});
 }
-template <Way way>
-Effect all_shapes() {
-  return {.name = std::string("all_shapes") + suffix_of(way),
-          .used = {.furnish = put_all_shapes<way>, .lead = way == Way::turning ? turn : nullptr}};
-}
-
-inline std::vector<Effect> group_effects() {
-  return {sphere_and_plane(),         many_spheres(),
-          all_shapes<Way::rough>(),   all_shapes<Way::moving>(),
-          all_shapes<Way::turning>(), all_shapes<Way::fast>()};
-}
+inline constexpr Effect group_effects[] = {
+    sphere_and_plane,
+    many_spheres,
+    {.name = "all_shapes_rough", .used = {.furnish = put_all_shapes<Way::rough>}},
+    {.name = "all_shapes_moving", .used = {.furnish = put_all_shapes<Way::moving>}},
+    {.name = "all_shapes_turning", .used = {.furnish = put_all_shapes<Way::turning>, .lead = turn}},
+    {.name = "all_shapes_fast", .used = {.furnish = put_all_shapes<Way::fast>}}};
 
 }  // namespace weft::samples

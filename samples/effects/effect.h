@@ -8,7 +8,7 @@
 #include "weft/weft.hpp"
 
 #include <stdexcept>
-#include <string>
+#include <utility>
 #include <vector>
 
 namespace weft::samples {
@@ -32,16 +32,21 @@ struct Change {
   void (*dress)(ClothDesc&) = nullptr;        ///< before a cloth is made
   void (*furnish)(Stage&) = nullptr;          ///< when all cloths are there
   void (*lead)(Stage&, int frame) = nullptr;  ///< before each step, frames from 1 to 12; not timed
+
+  constexpr explicit operator bool() const { return begin || dress || furnish || lead; }
 };
 
+/// Plain constants, for the compiler's sake. What is left over of an array is empty.
 struct Effect {
-  std::string name;                ///< of tests, golden hashes and seeds of the fuzzer
-  Change used = {};                ///< changes the motion of every cloth
-  std::vector<Change> null = {};   ///< each changes no bit of any cloth
-  std::vector<Change> timed = {};  ///< other states that have a price
+  const char* name = "";  ///< of tests, golden hashes and seeds of the fuzzer
+  Change used = {};       ///< changes the motion
+  Change null[3] = {};    ///< each changes no bit of any cloth
+  Change timed[1] = {};   ///< other states that have a price
   Change needs = {};  ///< is there with and without: pins, for example. A line: prices add to it
-  std::string cloth_keys = {};  ///< `needs` and `used` as members of a scene's cloth
-  std::string scene_keys = {};  ///< and of the scene
+  const char* cloth_keys = "";     ///< `needs` and `used` as members of a scene's cloth
+  const char* scene_keys[3] = {};  ///< and of the scene, in pieces that follow each other
+
+  constexpr bool has_keys() const { return *cloth_keys || scene_keys[0]; }
 };
 
 /// Several changes at once, in order.

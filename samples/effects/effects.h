@@ -7,20 +7,21 @@
 #include "samples/effects/mesh_effects.h"
 #include "samples/effects/world_effects.h"
 
+#include <array>
+
 namespace weft::samples {
 
-inline std::vector<Effect> make_effects() {
-  std::vector<Effect> all;
-  for (const auto rows :
-       {cloth_effects, world_effects, shape_effects, group_effects, mesh_effects}) {
-    for (Effect& row : rows()) all.push_back(std::move(row));
-  }
+template <size_t... n>
+constexpr std::array<Effect, (n + ...)> joined(const Effect (&... rows)[n]) {
+  std::array<Effect, (n + ...)> all{};
+  size_t count = 0;
+  const auto append = [&](const auto& some) {
+    for (const Effect& row : some) all[count++] = row;
+  };
+  (append(rows), ...);
   return all;
 }
-
-inline const std::vector<Effect>& effects() {
-  static const std::vector<Effect> all = make_effects();
-  return all;
-}
+inline constexpr auto effects =
+    joined(cloth_effects, world_effects, shape_effects, group_effects, mesh_effects);
 
 }  // namespace weft::samples

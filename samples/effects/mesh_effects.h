@@ -99,22 +99,6 @@ template <auto mesh>
 void put_mesh_far(Stage& s) {
   add(s, mesh(s, far_away));
 }
-template <auto mesh, Way way>
-Effect mesh_collider(const std::string& name) {
-  return {.name = name + suffix_of(way),
-          .used = {.furnish = put_mesh<mesh, way>, .lead = way == Way::turning ? turn : nullptr}};
-}
-template <auto mesh>
-void append_mesh(std::vector<Effect>& all, const char* name, const char* line,
-                 const char* far_line) {
-  all.push_back(mesh_collider<mesh, Way::smooth>(name));
-  all.back().used.line = line;
-  all.back().null = {{.line = far_line, .furnish = put_mesh_far<mesh>}};
-  all.push_back(mesh_collider<mesh, Way::rough>(name));
-  all.push_back(mesh_collider<mesh, Way::moving>(name));
-  all.push_back(mesh_collider<mesh, Way::turning>(name));
-}
-
 /// A closed one and a standing sheet, one beside the other.
 template <Way way>
 void put_both_meshes(Stage& s) {
@@ -126,19 +110,33 @@ void put_both_meshes(Stage& s) {
     add(s, *mesh);
   }
 }
-template <Way way>
-Effect both_meshes() {
-  return {.name = std::string("both_meshes") + suffix_of(way),
-          .used = {.furnish = put_both_meshes<way>, .lead = way == Way::turning ? turn : nullptr}};
+template <auto mesh, Way way>
+constexpr Effect mesh_collider(const char* name) {
+  return {.name = name,
+          .used = {.furnish = put_mesh<mesh, way>, .lead = way == Way::turning ? turn : nullptr}};
 }
+inline constexpr Effect on_open_mesh{
+    .name = "open_mesh",
+    .used = {.line = "mesh of 69,696 triangles, used", .furnish = put_mesh<open_mesh, Way::smooth>},
+    .null = {
+        {.line = "mesh of 69,696 triangles, out of reach", .furnish = put_mesh_far<open_mesh>}}};
+inline constexpr Effect on_closed_mesh{
+    .name = "closed_mesh",
+    .used = {.line = "closed mesh, used", .furnish = put_mesh<closed_mesh, Way::smooth>},
+    .null = {{.furnish = put_mesh_far<closed_mesh>}}};
 
-inline std::vector<Effect> mesh_effects() {
-  std::vector<Effect> all{both_meshes<Way::rough>(), both_meshes<Way::moving>(),
-                          both_meshes<Way::turning>()};
-  append_mesh<open_mesh>(all, "open_mesh", "mesh of 69,696 triangles, used",
-                         "mesh of 69,696 triangles, out of reach");
-  append_mesh<closed_mesh>(all, "closed_mesh", "closed mesh, used", nullptr);
-  return all;
-}
+inline constexpr Effect mesh_effects[] = {
+    {.name = "both_meshes_rough", .used = {.furnish = put_both_meshes<Way::rough>}},
+    {.name = "both_meshes_moving", .used = {.furnish = put_both_meshes<Way::moving>}},
+    {.name = "both_meshes_turning",
+     .used = {.furnish = put_both_meshes<Way::turning>, .lead = turn}},
+    on_open_mesh,
+    mesh_collider<open_mesh, Way::rough>("open_mesh_rough"),
+    mesh_collider<open_mesh, Way::moving>("open_mesh_moving"),
+    mesh_collider<open_mesh, Way::turning>("open_mesh_turning"),
+    on_closed_mesh,
+    mesh_collider<closed_mesh, Way::rough>("closed_mesh_rough"),
+    mesh_collider<closed_mesh, Way::moving>("closed_mesh_moving"),
+    mesh_collider<closed_mesh, Way::turning>("closed_mesh_turning")};
 
 }  // namespace weft::samples

@@ -3,6 +3,8 @@
 
 #include "samples/effects/effect.h"
 
+#include <string>
+
 namespace weft::samples {
 
 /// A sheet about the unit square that shrinks a little. With a comma before keys that are there.
@@ -22,7 +24,9 @@ inline std::string scene_text(const std::string& cloth_keys, const std::string& 
          more(cloth_keys) + "}]" + more(scene_keys) + "\n}\n";
 }
 inline std::string scene_text(const Effect& effect) {
-  return scene_text(effect.cloth_keys, effect.scene_keys);
+  std::string scene_keys;
+  for (const char* piece : effect.scene_keys) scene_keys += piece ? piece : "";
+  return scene_text(effect.cloth_keys, scene_keys);
 }
 
 inline GridDesc sheet_of_scene() {

@@ -5,63 +5,57 @@
 
 namespace weft::samples {
 
-template <int speed>
-void blow(Stage& s) {
+inline void blow(Stage& s) {
   WindDesc wind;
-  wind.velocity = {0, 0, speed};
+  wind.velocity = {0, 0, 5};
   check(s.world.set_wind(wind));
 }
 inline void turn_the_wind(Stage& s, int frame) {
   if (frame == 6) check(s.world.set_wind({{-3, 2, 5}, 1.2, 0.8, 0}));
 }
 inline void blow_and_clear(Stage& s) {
-  blow<5>(s);
+  blow(s);
   check(s.world.clear_wind());
 }
-inline Effect wind() {
-  return {.name = "wind",
-          .used = {.line = "wind, used", .furnish = blow<5>, .lead = turn_the_wind},
-          .null = {{.line = "wind without air",
-                    .furnish =
-                        [](Stage& s) {
-                          check(s.world.set_wind({{9, 5, 7}, 0, 1, 1}));
-                        }},
-                   {.furnish =
-                        [](Stage& s) {
-                          check(s.world.set_wind({{9, 5, 7}, 1.225, 0, 0}));
-                        }},
-                   {.furnish = blow_and_clear}},
-          .scene_keys = R"("wind": {"velocity": [0, 0, 5]})"};
-}
+inline constexpr Effect wind{.name = "wind",
+                             .used = {.line = "wind, used", .furnish = blow, .lead = turn_the_wind},
+                             .null = {{.line = "wind without air",
+                                       .furnish =
+                                           [](Stage& s) {
+                                             check(s.world.set_wind({{9, 5, 7}, 0, 1, 1}));
+                                           }},
+                                      {.furnish =
+                                           [](Stage& s) {
+                                             check(s.world.set_wind({{9, 5, 7}, 1.225, 0, 0}));
+                                           }},
+                                      {.furnish = blow_and_clear}},
+                             .scene_keys = {R"("wind": {"velocity": [0, 0, 5]})"}};
 
 template <Accumulate accumulate>
 void scatter(WorldDesc& w) {
   w.evaluation = Evaluation::scatter;
   w.accumulate = accumulate;
 }
-/// Each spring evaluated once, its force added to both ends. Native sums have the gather's bits.
+/// Each spring evaluated once, its force added to both ends. `sum`: the name of `accumulate`.
 template <Accumulate accumulate>
-Effect scattered() {
-  const std::string sum = to_string(accumulate);
-  return {.name = "scatter_" + sum,
+constexpr Effect scattered(const char* name, const char* sum) {
+  return {.name = name,
           .used = {.begin = scatter<accumulate>},
-          .scene_keys = R"("solver": {"evaluation": "scatter", "accumulate": ")" + sum + "\"}"};
+          .scene_keys = {R"("solver": {"evaluation": "scatter", "accumulate": )", sum, "}"}};
 }
-inline Effect scattered_fixed64() {
-  Effect effect = scattered<Accumulate::fixed64>();
+constexpr Effect timed_scatter(Effect effect) {
   effect.used.line = "scatter fixed64, used";
-  effect.null = {
-      {.line = "scatter native, the gather's bits", .begin = scatter<Accumulate::native>}};
+  effect.null[0] = {.line = "scatter native, the gather's bits",
+                    .begin = scatter<Accumulate::native>};
   return effect;
 }
 
-inline std::vector<Effect> world_effects() {
-  return {wind(),
-          scattered_fixed64(),
-          scattered<Accumulate::float16>(),
-          scattered<Accumulate::float24>(),
-          scattered<Accumulate::float24_all>(),
-          scattered<Accumulate::fixed8>()};
-}
+inline constexpr Effect world_effects[] = {
+    wind,
+    timed_scatter(scattered<Accumulate::fixed64>("scatter_fixed64", R"("fixed64")")),
+    scattered<Accumulate::float16>("scatter_float16", R"("float16")"),
+    scattered<Accumulate::float24>("scatter_float24", R"("float24")"),
+    scattered<Accumulate::float24_all>("scatter_float24_all", R"("float24_all")"),
+    scattered<Accumulate::fixed8>("scatter_fixed8", R"("fixed8")")};
 
 }  // namespace weft::samples

@@ -86,7 +86,7 @@ const Case hubs = forced("hubs", nullptr), hubs_scattered = forced("hubs_scatter
 const std::vector<Case>& cases() {
   static const std::vector<Case> all = [] {
     std::vector<Case> found;
-    for (const Effect& effect : samples::effects()) found.push_back({effect});
+    for (const Effect& effect : samples::effects) found.push_back({effect});
     for (const Case& c :
          {hubs, hubs_scattered, sleepy("sleep_on_shapes", nullptr),
           sleepy("sleep_on_shapes_scatter", scatter),
@@ -198,7 +198,9 @@ TEST(Evaluations, AtomicSumsRunOnEveryBackend) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Every, Effects, ::testing::Range(size_t(0), cases().size()),
-                         [](const auto& info) { return cases()[info.param].effect.name; });
+                         [](const auto& info) {
+                           return std::string(cases()[info.param].effect.name);
+                         });
 
 }  // namespace
 }  // namespace weft::testing

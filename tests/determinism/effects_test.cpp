@@ -6,6 +6,7 @@
 
 #include <cinttypes>
 #include <cstdio>
+#include <string_view>
 
 namespace weft_tests {
 namespace {
@@ -28,20 +29,20 @@ std::string text_of(Variant v) {
 
 EffectHashes golden_of(const Effect& effect) {
   for (const EffectHashes& golden : effect_hashes) {
-    if (effect.name == golden.effect) return golden;
+    if (std::string_view(effect.name) == golden.effect) return golden;
   }
   return {};
 }
 
 class EffectBits : public testing::TestWithParam<size_t> {
  protected:
-  const Effect& effect = weft::samples::effects()[GetParam()];
+  const Effect& effect = weft::samples::effects[GetParam()];
   const Changes used{&effect.needs, &effect.used}, unused{&effect.needs};
 };
 
 TEST_P(EffectBits, AreThoseOfEveryBuild) {
   const EffectHashes golden = golden_of(effect);
-  std::string line = "    {\"" + effect.name + "\", {";
+  std::string line = std::string("    {\"") + effect.name + "\", {";
   for (size_t v = 0; v < 4; ++v) {
     const uint64_t hash = hash_of(used, variants[v], TestWorld::one_thread());
     EXPECT_EQ(hash, golden.hashes[v]) << text_of(variants[v]);
@@ -72,15 +73,17 @@ TEST_P(EffectBits, AreNotThoseWithoutIt) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Every, EffectBits,
-                         testing::Range(size_t(0), weft::samples::effects().size()),
+                         testing::Range(size_t(0), weft::samples::effects.size()),
                          [](const auto& info) {
-                           return weft::samples::effects()[info.param].name;
+                           return std::string(weft::samples::effects[info.param].name);
                          });
 
 TEST(EffectHashes, AreOfRowsOfTheTable) {
   for (const EffectHashes& golden : effect_hashes) {
     int rows = 0;
-    for (const Effect& effect : weft::samples::effects()) rows += effect.name == golden.effect;
+    for (const Effect& effect : weft::samples::effects) {
+      rows += std::string_view(effect.name) == golden.effect;
+    }
     EXPECT_EQ(rows, 1) << golden.effect;
   }
 }

@@ -35,11 +35,11 @@ int main(int argc, char** argv) {
   std::filesystem::create_directories(folder / "scene");
   std::set<std::string> words;
   size_t count = 0;
-  for (const weft::samples::Effect& effect : weft::samples::effects()) {
-    if (effect.cloth_keys.empty() && effect.scene_keys.empty()) continue;
-    append_words(effect.cloth_keys, words);
-    append_words(effect.scene_keys, words);
-    std::ofstream(folder / "scene" / (effect.name + ".json")) << weft::samples::scene_text(effect);
+  for (const weft::samples::Effect& effect : weft::samples::effects) {
+    if (!effect.has_keys()) continue;
+    const std::string scene = weft::samples::scene_text(effect);
+    append_words(scene, words);
+    std::ofstream(folder / "scene" / (std::string(effect.name) + ".json")) << scene;
     ++count;
   }
   std::string dictionary = text_of(argv[2]);

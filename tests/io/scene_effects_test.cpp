@@ -47,8 +47,8 @@ uint64_t hash_of(const Changes& changes) {
 
 std::vector<const Effect*> rows_with_keys() {
   std::vector<const Effect*> found;
-  for (const Effect& effect : samples::effects()) {
-    if (!effect.cloth_keys.empty() || !effect.scene_keys.empty()) found.push_back(&effect);
+  for (const Effect& effect : samples::effects) {
+    if (effect.has_keys()) found.push_back(&effect);
   }
   return found;
 }
@@ -63,7 +63,7 @@ TEST_P(SceneEffects, DoWhatTheRowDoes) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Rows, SceneEffects, testing::ValuesIn(rows_with_keys()),
-                         [](const auto& info) { return info.param->name; });
+                         [](const auto& info) { return std::string(info.param->name); });
 
 TEST(SceneEffectsBase, SheetIsTheScenes) {
   EXPECT_EQ(hash_of_scene(samples::scene_text("", "")), hash_of({}));

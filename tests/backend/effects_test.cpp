@@ -314,12 +314,11 @@ TEST_P(Effects, HaveTheSameBitsOnEveryBackend) {
   for (const Precision precision : {Precision::float32, Precision::float64}) {
     for (const Form form : {Form::summed, Form::position}) {
       const Outcome expected = outcome(effect, *backends()[0].backend, precision, form, 1);
+      // Each copy with one thread, too: layout_test.cpp.
       for (const NamedBackend& other : backends()) {
-        for (const uint32_t threads : {1u, 3u}) {
-          EXPECT_TRUE(outcome(effect, *other.backend, precision, form, threads) == expected)
-              << other.name << " " << threads << " threads " << to_string(precision)
-              << (form == Form::summed ? " summed" : " position");
-        }
+        EXPECT_TRUE(outcome(effect, *other.backend, precision, form, 3) == expected)
+            << other.name << " " << to_string(precision)
+            << (form == Form::summed ? " summed" : " position");
       }
     }
   }

@@ -26,8 +26,8 @@ function(weft_add_cuda target)
   find_package(Python3 3.9 COMPONENTS Interpreter QUIET)
   if(Python3_Interpreter_FOUND AND NOT CMAKE_CUDA_COMPILER_LAUNCHER)
     target_compile_options(weft_cuda PRIVATE -Xptxas=-v)
-    set_target_properties(weft_cuda PROPERTIES CUDA_COMPILER_LAUNCHER
-      "${Python3_EXECUTABLE};-B;${PROJECT_SOURCE_DIR}/cmake/keep_ptxas.py;${WEFT_CCACHE}")
+    set(launcher ${Python3_EXECUTABLE} -B ${PROJECT_SOURCE_DIR}/cmake/keep_ptxas.py ${WEFT_CCACHE})
+    set_target_properties(weft_cuda PROPERTIES CUDA_COMPILER_LAUNCHER "${launcher}")
   endif()
   set_target_properties(weft_cuda PROPERTIES
     CUDA_STANDARD 17 CUDA_STANDARD_REQUIRED ON CUDA_RUNTIME_LIBRARY Static

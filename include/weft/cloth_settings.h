@@ -31,6 +31,11 @@ typedef struct weft_cloth_settings {
    * its pins. Asleep, its particles stand still and cost next to nothing. */
   double sleep_speed;
   double sleep_time; /**< s; default 0.5 */
+  /** Above 0, each free vertex keeps within this many times its rest distance from the nearest pin
+   * (the shortest path over edges) of where that pin is. Vertices that no pin reaches have no
+   * tether: World::diagnostics. */
+  double tether_scale;
+  double tether_compliance; /**< m/N; 0: hard, else as XPBD has it */
   weft_drag_model drag_model;
 } weft_cloth_settings;
 
@@ -51,6 +56,8 @@ inline constexpr ClothNumber cloth_numbers[] = {
     {"spring_damping", &weft_cloth_settings::spring_damping},
     {"sleep_speed", &weft_cloth_settings::sleep_speed},
     {"sleep_time", &weft_cloth_settings::sleep_time},
+    {"tether_scale", &weft_cloth_settings::tether_scale},
+    {"tether_compliance", &weft_cloth_settings::tether_compliance},
 };
 static_assert(sizeof cloth_numbers / sizeof *cloth_numbers * sizeof(double) + sizeof(double) ==
                   sizeof(ClothSettings),

@@ -87,6 +87,31 @@ inline void lead_pins(Stage& s, int frame) {
 }
 inline constexpr Effect led_pins{.name = "led_pins", .used = {.lead = lead_pins}};
 
+inline constexpr Effect tethers{
+    .name = "tethers",
+    .used = {.line = "tethers, used", .dress = [](ClothDesc& d) { d.tether_scale = 0.9; }},
+    .null = {{.line = "tethers, out of reach",
+              .dress = [](ClothDesc& d) { d.tether_scale = 1e6; }}},
+    .needs = {.line = "two pins", .dress = hang},
+    .cloth_keys = R"("pins": [0, 255], "tethers": {"scale": 0.9})"};
+inline constexpr Effect soft_tethers{.name = "soft_tethers",
+                                     .used = {.dress =
+                                                  [](ClothDesc& d) {
+                                                    d.tether_scale = 0.95;
+                                                    d.tether_compliance = 0.01;
+                                                  }},
+                                     .null = {{.dress =
+                                                   [](ClothDesc& d) {
+                                                     d.tether_scale = 1e6;
+                                                     d.tether_compliance = 0.01;
+                                                   }}},
+                                     .needs = {.dress = move_pins},
+                                     .cloth_keys = R"("pins": [
+            {"vertices": [0],
+             "motion": {"velocity": [0.1, 0, 0], "amplitude": [0, 0.05, 0.1], "omega": 5}},
+            {"vertices": [255], "motion": {"amplitude": [0.1, 0, 0], "omega": 23}}],
+            "tethers": {"scale": 0.95, "compliance": 0.01})"};
+
 inline void wake_the_first(Stage& s, int frame) {
   if (frame != 8) return;
   if (!take(s.world.asleep(s.cloths[0]))) throw std::runtime_error("no cloth sleeps");
@@ -113,7 +138,8 @@ inline constexpr Effect sleep{
                    }}},
     .cloth_keys = R"("sleep": {"speed": 0.6, "time": 0.05})"};
 
-inline constexpr Effect cloth_effects[] = {
-    central_drag, lagged_drag, spring_damping, constant_forces, moving_pins, led_pins, sleep};
+inline constexpr Effect cloth_effects[] = {central_drag,    lagged_drag,  spring_damping,
+                                           constant_forces, moving_pins,  led_pins,
+                                           tethers,         soft_tethers, sleep};
 
 }  // namespace weft::samples

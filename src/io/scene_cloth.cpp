@@ -49,6 +49,16 @@ void read_sleep(const Node& node, ClothScene& cloth) {
   if (const auto key = node.find("time")) cloth.sleep_time = key->number(Sign::not_negative);
 }
 
+void read_tethers(const Node& node, ClothScene& cloth) {
+  if (node.is_null()) return;
+  node.require_object({"scale", "compliance"});
+  cloth.tether_scale = 1;
+  if (const auto key = node.find("scale")) cloth.tether_scale = key->number(Sign::positive);
+  if (const auto key = node.find("compliance")) {
+    cloth.tether_compliance = key->number(Sign::not_negative);
+  }
+}
+
 }  // namespace
 
 void read_transform(const Node& node, double& scale, Pose& pose) {
@@ -72,7 +82,7 @@ void read_rotation(const Node& node, double3& axis, double& degrees) {
 ClothScene read_cloth(const Node& node, MeshCache& meshes) {
   node.require_object({"name", "grid", "mesh", "network", "transform", "mass", "density", "masses",
                        "stiffness", "rest_length", "damping", "pins", "velocity", "velocities",
-                       "forces", "sleep"});
+                       "forces", "sleep", "tethers"});
   ClothScene cloth;
   const Node name = node.at("name", "a name");
   cloth.name = name.text();
@@ -88,6 +98,7 @@ ClothScene read_cloth(const Node& node, MeshCache& meshes) {
     for (size_t i = 0; i < count; ++i) read_force((*key)[i], cloth);
   }
   if (const auto key = node.find("sleep")) read_sleep(*key, cloth);
+  if (const auto key = node.find("tethers")) read_tethers(*key, cloth);
   return cloth;
 }
 

@@ -1,4 +1,5 @@
-// The kernel of a substep: forces | integration | colliders | pins, as stages of one pass.
+// The kernel of a substep: forces | integration | tethers | colliders | pins, as stages of one
+// pass.
 //
 // Inputs are the buffers of time n, outputs those of time n+1. A stage that a cloth does not need
 // is a uniform branch not taken, once per block of 32 particles. A stage outside of `Set` is not in
@@ -10,6 +11,7 @@
 #include "kernels/mesh_springs.h"
 #include "kernels/particle_stages.h"
 #include "kernels/scatter_springs.h"
+#include "kernels/tethers.h"
 #include "kernels/wind.h"
 #include "state/stages.h"
 
@@ -57,15 +59,15 @@ struct AdvanceParticles {
     if constexpr (contains(Set, Stage::spring_damping)) {
       if (cloth.spring_damping > T(0)) damp_springs(cloth, block, i0, lanes, force);
     }
-    // -- seam: forces | integration | colliders
+    // -- seam: forces | integration | tethers | colliders
     if constexpr (contains(Set, Stage::colliders)) {
       if (sim.reach != nullptr && sim.activity != nullptr) {
         integrate_and_collide(cloth, sim.activity[of_cloth], block, i0, lanes, force);
       } else {
-        stages.integrate(cloth, Everywhere{}, i0, lanes, force);
+        integrate(cloth, Everywhere{}, i0, lanes, force);
       }
     } else {
-      stages.integrate(cloth, Everywhere{}, i0, lanes, force);
+      integrate(cloth, Everywhere{}, i0, lanes, force);
     }
     if (!moves) return;
     // -- seam: colliders | pins
@@ -77,6 +79,21 @@ struct AdvanceParticles {
   }
 
  private:
+  /// Whether any particle of this call ended outside of the region.
+  template <class Region, int N>
+  WEFT_HD bool integrate(const ClothParams<T>& cloth, const Region& region, int i0, Lanes<N> lanes,
+                         const LaneVec3<T, N>& force) const {
+    const bool left = stages.integrate(cloth, region, i0, lanes, force);
+    if constexpr (contains(Set, Stage::tethers)) {
+      const Update update = stages.step.update;
+      const bool moves = update == Update::summed || update == Update::position;
+      if (moves && shift_to(Part::tethers, cloth) != no_part) {
+        return keep_tethered(stages, cloth, region, left, i0, lanes);
+      }
+    }
+    return left;
+  }
+
   /// A block that stays in its region meets the colliders of its list, which often are none.
   template <int N>
   WEFT_HD void integrate_and_collide(const ClothParams<T>& cloth, const ClothActivity<T>& activity,
@@ -86,9 +103,9 @@ struct AdvanceParticles {
     const Region<T> region = region_of(sim, activity, block);
     bool every = activity.nearness == Nearness::every;
     if (every) {
-      stages.integrate(cloth, Everywhere{}, i0, lanes, force);
+      integrate(cloth, Everywhere{}, i0, lanes, force);
     } else {
-      every = stages.integrate(cloth, region, i0, lanes, force);
+      every = integrate(cloth, region, i0, lanes, force);
       if (!every && meets_nothing(sim, activity, block)) return;
     }
     CollideStage<T>{sim, stages.p, stages.step}(cloth, activity, every, region, block, i0, lanes);

@@ -9,6 +9,7 @@
 #include "state/pins.h"
 #include "state/springs.h"
 #include "state/step.h"
+#include "state/tethers.h"
 #include "state/triangles.h"
 
 namespace weft {
@@ -41,6 +42,7 @@ struct Simulation {
   const uint16_t* presence;  ///< grids: bit k = neighbour k exists; read in border blocks only
   const T* inverse_mass;     ///< 0: pinned, or padding
   Forces<T> forces;
+  Tethers<T> tethers;
   SlicedRows<T> rows;
   Hubs<T> hubs;
   Edges<T> edges;
@@ -79,6 +81,7 @@ struct Simulation {
     array.group(edges, n);
     array.group(hubs, n);
     array.group(forces, n);
+    array.group(tethers, n);
     array.group(triangles, n);
     array(activity, n.uses_activity ? n.cloths : 0);
     array.group(colliders, n);

@@ -11,13 +11,14 @@ enum class Stage : uint32_t {
   forces,          ///< constant forces of vertices
   wind,            ///< on triangles
   spring_damping,  ///< along the springs
+  tethers,         ///< back to within a distance of the pins
   colliders,       ///< out of the shapes, with friction
   moving_pins      ///< pins that are not where they were
 };
 
 /// What some cloths have in arrays of its own, which hold these cloths' particles and no others.
-enum class Part : int32_t { forces };
-constexpr int part_count = 1;
+enum class Part : int32_t { forces, tethers };
+constexpr int part_count = 2;
 
 WEFT_HD constexpr bool is_compiled(Stage stage) {
   return ((WEFT_LEAVE_OUT_STAGES >> static_cast<uint32_t>(stage)) & 1u) == 0;

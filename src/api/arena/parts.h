@@ -14,6 +14,7 @@
 #pragma once
 
 #include "api/arena/forces.h"
+#include "api/arena/tethers.h"
 #include "plan/cutter.h"
 #include "plan/shape.h"
 
@@ -28,7 +29,7 @@ struct PartList {
     (use(Each()), ...);
   }
 };
-using Parts = PartList<ForcesPart>;
+using Parts = PartList<ForcesPart, TethersPart>;
 static_assert(Parts::count == part_count, "a Part of state/stages.h is missing in the list");
 
 constexpr int index_of(Part part) { return static_cast<int>(part); }
@@ -62,8 +63,9 @@ void price_parts_in(plan::WorldShape& shape) {
   Parts::each([&](auto part) {
     Simulation<T> sim{};
     plan::ArrayBytes bytes;
-    part.arrays(sim).arrays(bytes, counts_with(part.part, 1));
-    shape.parts[index_of(part.part)] = {part.name, static_cast<double>(bytes.bytes()), part.flops};
+    part.arrays(sim).arrays(bytes, counts_with(part.part, block_size));
+    shape.parts[index_of(part.part)] = {part.name, static_cast<double>(bytes.bytes()) / block_size,
+                                        part.flops};
   });
 }
 inline void price_parts(plan::WorldShape& shape) {
@@ -74,7 +76,7 @@ inline void price_parts(plan::WorldShape& shape) {
   }
 }
 
-/// The memory of one cloth's entries in the arrays of a part.
+/// The memory of one cloth's entries, which are whole blocks, in the arrays of a part.
 struct Piece {
   char* at;
   size_t bytes;
@@ -82,18 +84,18 @@ struct Piece {
 class PieceFinder {
  public:
   PieceFinder(int64_t first, int64_t count, int vector_stride)
-      : first_(static_cast<size_t>(first)),
-        count_(static_cast<size_t>(count)),
+      : first_(static_cast<size_t>(first / block_size)),
+        count_(static_cast<size_t>(count / block_size)),
         stride_(static_cast<size_t>(vector_stride)) {}
 
   template <class Element>
-  void operator()(Element*& view, int64_t per_particle) {
-    const size_t bytes = static_cast<size_t>(per_particle) * sizeof(Element);
+  void operator()(Element*& view, int64_t per_block) {
+    const size_t bytes = static_cast<size_t>(per_block) * sizeof(Element);
     add(view, first_ * bytes, count_ * bytes);
   }
   template <class T>
-  void operator()(Vec3Array<T>& view, int64_t, int64_t = 0) {
-    const size_t bytes = stride_ * sizeof(T);
+  void operator()(Vec3Array<T>& view, int64_t per_block, int64_t = 0) {
+    const size_t bytes = static_cast<size_t>(per_block) * stride_ * sizeof(T);
     for (size_t c = 0; c < (stride_ > 1 ? 1 : 3); ++c) {
       add(view.data + c * view.pitch, first_ * bytes, count_ * bytes);
     }
@@ -105,14 +107,15 @@ class PieceFinder {
     pieces_.push_back({static_cast<char*>(const_cast<void*>(array)) + from, bytes});
   }
 
-  size_t first_, count_, stride_;
+  size_t first_, count_;  // blocks
+  size_t stride_;
   std::vector<Piece> pieces_;
 };
 template <class ThePart, class T>
 std::vector<Piece> pieces_of(ThePart part, Simulation<T>& sim, int64_t first, int64_t count,
                              int vector_stride) {
   PieceFinder finder(first, count, vector_stride);
-  part.arrays(sim).arrays(finder, counts_with(part.part, 1));
+  part.arrays(sim).arrays(finder, counts_with(part.part, block_size));
   return finder.pieces();
 }
 

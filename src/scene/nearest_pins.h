@@ -1,0 +1,19 @@
+// Which pin is nearest to a vertex along the surface, and how far.
+#pragma once
+
+#include "scene/fabric.h"
+
+namespace weft::scene {
+
+constexpr uint32_t no_pin = ~0u;
+
+struct NearestPins {
+  std::vector<uint32_t> pin;     ///< by vertex: a vertex; no_pin where none is reached
+  std::vector<double> distance;  ///< m: of the shortest path over edges, in rest lengths
+};
+
+/// Edges are the sides of triangles; of grids the stretch and shear springs, of networks all
+/// springs. Of two pins equally near the one of lower index counts. `pins`: vertices.
+NearestPins nearest_pins(const CookedFabric&, const std::vector<uint32_t>& pins);
+
+}  // namespace weft::scene

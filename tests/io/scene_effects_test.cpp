@@ -5,12 +5,16 @@
 #include "samples/effects/scene_text.h"
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <fstream>
 
 namespace weft::io::test {
 namespace {
 
 using samples::Changes;
 using samples::Effect;
+using Json = nlohmann::json;
 
 constexpr int frames = 20;
 
@@ -60,6 +64,17 @@ TEST_P(SceneEffects, DoWhatTheRowDoes) {
   const uint64_t used = hash_of({&effect.needs, &effect.used});
   EXPECT_EQ(hash_of_scene(samples::scene_text(effect)), used);
   EXPECT_NE(hash_of({&effect.needs}), used) << "the row changes nothing";
+}
+
+/// Its members' names in the table of a cloth's or a scene's keys.
+TEST_P(SceneEffects, AreInTheDocument) {
+  std::ifstream file(WEFT_SCENE_FORMAT);
+  const std::string document{std::istreambuf_iterator<char>(file), {}};
+  ASSERT_FALSE(document.empty());
+  const Json cloth = Json::parse(std::string("{") + GetParam()->cloth_keys + "}");
+  for (const auto& member : cloth.items()) {
+    EXPECT_NE(document.find("| `" + member.key() + "`"), std::string::npos) << member.key();
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Rows, SceneEffects, testing::ValuesIn(rows_with_keys()),

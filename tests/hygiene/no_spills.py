@@ -28,8 +28,9 @@ def short(name):
     name = re.sub(r"weft::(cuda::|hip::)?", "", name)
     name = re.sub(r"\(Meets\)(\d)", lambda m: "Meets::" + ("all", "shapes", "meshes")[int(m[1])],
                   name)
-    for value, stages in ((4294967275, "in_still_air"), (4294967279, "in_wind")):
-        name = name.replace(f"{value}u", stages)
+    # Sets of stages (step/variants.h) by how many they lack, whatever the number of a stage is.
+    name = re.sub(r"\b(\d{10})u\b", lambda m: {1: "in_wind", 2: "in_still_air"}.get(
+        bin(int(m[1]) ^ 0xffffffff).count("1"), m[0]), name)
     return name.replace(" >", ">").strip()
 
 

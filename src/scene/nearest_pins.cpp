@@ -18,12 +18,12 @@ double length(const CookedFabric& fabric, uint32_t i, uint32_t j, double rest) {
   return std::sqrt(x * x + y * y + z * z);
 }
 
-/// Calls use(i, j, rest length) for every edge of the surface; those of two triangles come twice.
+/// Calls use(i, j, rest length) for every edge of a mesh or network; a mesh's inner edges come
+/// twice.
 template <class Use>
 void each_edge(const CookedFabric& fabric, Use use) {
   if (fabric.triangles.empty()) {
     each_spring(fabric, [&](uint32_t i, uint32_t j, double, double rest) {
-      if (fabric.is_grid && are_two_apart(fabric.grid, i, j)) return;
       use(i, j, length(fabric, i, j, rest));
     });
     return;
@@ -36,23 +36,49 @@ void each_edge(const CookedFabric& fabric, Use use) {
   }
 }
 
-/// The edges of each vertex, in compressed rows.
-struct Neighbours {
-  explicit Neighbours(const CookedFabric& fabric) : first(size_t(fabric.vertices) + 1, 0) {
+/// The edges of each vertex: of grids by their stencil, of others in compressed rows.
+class Neighbours {
+ public:
+  explicit Neighbours(const CookedFabric& fabric) : fabric_(fabric) {
+    if (fabric.is_grid) return;
+    first_.assign(size_t(fabric.vertices) + 1, 0);
     each_edge(fabric, [&](uint32_t i, uint32_t j, double) {
-      ++first[size_t(i) + 1];
-      ++first[size_t(j) + 1];
+      ++first_[size_t(i) + 1];
+      ++first_[size_t(j) + 1];
     });
-    for (size_t v = 0; v < fabric.vertices; ++v) first[v + 1] += first[v];
-    to.resize(first.back());
-    std::vector<size_t> next(first.begin(), first.end() - 1);
+    for (size_t v = 0; v < fabric.vertices; ++v) first_[v + 1] += first_[v];
+    to_.resize(first_.back());
+    std::vector<size_t> next(first_.begin(), first_.end() - 1);
     each_edge(fabric, [&](uint32_t i, uint32_t j, double rest) {
-      to[next[i]++] = {j, rest};
-      to[next[j]++] = {i, rest};
+      to_[next[i]++] = {j, rest};
+      to_[next[j]++] = {i, rest};
     });
   }
-  std::vector<size_t> first;
-  std::vector<std::pair<uint32_t, double>> to;
+
+  /// Calls use(neighbour, rest length).
+  template <class Use>
+  void each(uint32_t v, Use use) const {
+    if (fabric_.is_grid) return each_of_grid(v, use);
+    for (size_t e = first_[v]; e < first_[size_t(v) + 1]; ++e) use(to_[e].first, to_[e].second);
+  }
+
+ private:
+  template <class Use>
+  void each_of_grid(uint32_t v, Use use) const {
+    const CookedGrid& g = fabric_.grid;
+    const StencilTable& table = stencil_table(g.stencil);
+    const int64_t row = v / g.columns, column = v % g.columns;
+    for (int k = 0; k < table.count; ++k) {
+      const StencilOffset o = table.offset[k];
+      if (!has_neighbour(g, row, column, o)) continue;
+      const auto j = static_cast<uint32_t>((row + o.row) * g.columns + column + o.column);
+      if (!are_two_apart(g, v, j)) use(j, length(fabric_, v, j, fabric_.rest_length));
+    }
+  }
+
+  const CookedFabric& fabric_;
+  std::vector<size_t> first_;
+  std::vector<std::pair<uint32_t, double>> to_;
 };
 
 }  // namespace
@@ -76,9 +102,9 @@ NearestPins nearest_pins(const CookedFabric& fabric, const std::vector<uint32_t>
     const auto [distance, pin, v] = ways.top();
     ways.pop();
     if (distance > nearest.distance[v] || pin != nearest.pin[v]) continue;
-    for (size_t e = neighbours.first[v]; e < neighbours.first[size_t(v) + 1]; ++e) {
-      relax(distance + neighbours.to[e].second, pin, neighbours.to[e].first);
-    }
+    neighbours.each(v, [&, way = distance, from = pin](uint32_t to, double rest) {
+      relax(way + rest, from, to);
+    });
   }
   return nearest;
 }

@@ -69,8 +69,8 @@ TEST_F(Failure, DivergenceStopsWithExitCode3) {
   json["solver"] = {{"unsafe", true}};
   json["cloths"][0]["pins"] = {0};
   const std::string report = folder / "r.json";
-  const Outcome outcome =
-      run_weft("run --report " + report + " --final " + (folder / "f.csv") + " " + scene(json));
+  const Outcome outcome = run_weft("run --backend omp --report " + report + " --final " +
+                                   (folder / "f.csv") + " " + scene(json));
   expect_failure(outcome, 3, "stopped in frame");
   const Json events = Json::parse(read_text(report))["events"];
   ASSERT_FALSE(events.empty());

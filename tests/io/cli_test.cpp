@@ -122,7 +122,8 @@ TEST(Samples, AreValidAndStableWithAutomaticSubsteps) {
     const Json& mesh = scene["cloths"][0].contains("mesh") ? scene["cloths"][0]["mesh"] : Json();
     if (mesh.is_object() && !std::filesystem::exists(mesh["file"].get<std::string>())) continue;
     ++count;
-    const Outcome outcome = run_weft("run --time 0.1 --json " + entry.path().string());
+    const Outcome outcome =
+        run_weft("run --backend omp --time 0.1 --json " + entry.path().string());
     ASSERT_EQ(outcome.code, 0) << outcome.err;
     const Json report = Json::parse(outcome.out);
     EXPECT_LE(report["substeps_per_frame"], 64);

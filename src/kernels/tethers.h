@@ -18,6 +18,18 @@ WEFT_HD Vec3<T> tether_correction(Vec3<T> away, T r, T limit, T share) {
   return (share * (limit / r - T(1))) * away;
 }
 
+/// The part of a hard tether's correction that the displacement takes: no more than the substep
+/// went away from the pin (`motion`, relative to it). Who was within the limit before takes all of
+/// it; who was not, as at a start outside or after a new pin, is moved without speed.
+template <class T>
+WEFT_HD Vec3<T> without_speed(Vec3<T> correction, Vec3<T> away, Vec3<T> motion) {
+  const T square = dot(away, away), outward = dot(motion, away);
+  const T taken = -dot(correction, away);  // both times |away|
+  const bool all = outward >= taken;
+  const T some = outward > T(0) ? -outward / (square > T(0) ? square : T(1)) : T(0);
+  return select(all, correction, some * away);
+}
+
 /// Where a pin is at the end of the substep, whether it moves or not.
 template <class T>
 WEFT_HD Vec3<T> pin_position(const ParticleBuffers<T>& p, const MovingPins<T>& pins,
@@ -67,9 +79,13 @@ WEFT_HD_COLD bool keep_tethered(const ParticleStages<T>& stages, const ClothPara
     by.set(l, tether_correction(a, r, tethers.limit[t0 + l], w / (w + give)));
   });
   if (!step.position_form) {
+    const bool hard = !(give > T(0));
     lanes.each([&](int l) WEFT_LANE {
-      const Vec3<T> d = load(p.d_out, i0 + l);
-      store(p.d_out, i0 + l, select(beyond(l, away.get(l)), d + by.get(l), d));
+      const Vec3<T> a = away.get(l), d = load(p.d_out, i0 + l), whole = by.get(l);
+      const Vec3<T> pin_end = load(p.x_out, i0 + l) - a;
+      const Vec3<T> of_pin = pin_end - load(p.x_in, tethers.pin[t0 + l]);
+      const Vec3<T> taken = hard ? without_speed(whole, a, d - of_pin) : whole;
+      store(p.d_out, i0 + l, select(beyond(l, a), d + taken, d));
     });
   }
   return region.any_outside(lanes, [&](int l) WEFT_LANE {

@@ -39,7 +39,8 @@ void each_edge(const CookedFabric& fabric, Use use) {
 /// The edges of each vertex: of grids by their stencil, of others in compressed rows.
 class Neighbours {
  public:
-  explicit Neighbours(const CookedFabric& fabric) : fabric_(fabric) {
+  Neighbours(const CookedFabric& fabric, std::pmr::memory_resource* memory)
+      : fabric_(fabric), first_(memory), to_(memory) {
     if (fabric.is_grid) return;
     first_.assign(size_t(fabric.vertices) + 1, 0);
     each_edge(fabric, [&](uint32_t i, uint32_t j, double) {
@@ -48,7 +49,7 @@ class Neighbours {
     });
     for (size_t v = 0; v < fabric.vertices; ++v) first_[v + 1] += first_[v];
     to_.resize(first_.back());
-    std::vector<size_t> next(first_.begin(), first_.end() - 1);
+    Array<size_t> next(first_.begin(), first_.end() - 1, first_.get_allocator());
     each_edge(fabric, [&](uint32_t i, uint32_t j, double rest) {
       to_[next[i]++] = {j, rest};
       to_[next[j]++] = {i, rest};
@@ -77,20 +78,21 @@ class Neighbours {
   }
 
   const CookedFabric& fabric_;
-  std::vector<size_t> first_;
-  std::vector<std::pair<uint32_t, double>> to_;
+  Array<size_t> first_;
+  Array<std::pair<uint32_t, double>> to_;
 };
 
 }  // namespace
 
 /// Dijkstra from all pins at once.
-NearestPins nearest_pins(const CookedFabric& fabric, const std::vector<uint32_t>& pins) {
-  const Neighbours neighbours(fabric);
-  NearestPins nearest;
+NearestPins nearest_pins(const CookedFabric& fabric, const Array<uint32_t>& pins,
+                         std::pmr::memory_resource* memory) {
+  const Neighbours neighbours(fabric, memory);
+  NearestPins nearest(memory);
   nearest.pin.assign(fabric.vertices, no_pin);
   nearest.distance.assign(fabric.vertices, std::numeric_limits<double>::infinity());
   using Way = std::tuple<double, uint32_t, uint32_t>;  // length, pin, vertex
-  std::priority_queue<Way, std::vector<Way>, std::greater<>> ways;
+  std::priority_queue<Way, Array<Way>, std::greater<>> ways{std::greater<>(), Array<Way>(memory)};
   const auto relax = [&](double distance, uint32_t pin, uint32_t v) {
     if (std::tie(distance, pin) >= std::tie(nearest.distance[v], nearest.pin[v])) return;
     nearest.distance[v] = distance;

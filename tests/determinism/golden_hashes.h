@@ -133,7 +133,7 @@ inline constexpr EffectHashes effect_hashes[] = {
      {0x477db24c6f27c595, 0xa33f5eac4ea881d8, 0xf5164c9403523bc0, 0x9918351d444c2f22}},
     {"closed_mesh_turning",
      {0x2e6131e83702a65d, 0x1b2229173218ca04, 0x0ac4c4e449129c0f, 0x5f10e714d3baf0ee}},
-    {"tethers", {0x80a2c3dd990cbc1a, 0x414bbe941f354ea6, 0x53fba46d9b52a243, 0x51787cdf0a150524}},
+    {"tethers", {0x46fd4bab57d3062c, 0x414bbe941f354ea6, 0x81af43fc2aad8849, 0x51787cdf0a150524}},
     {"soft_tethers",
      {0x7c5f73e8bcd845dc, 0x91e71b701a0e90f9, 0xdc892848d5d5db8c, 0x9cd8e0bf2432d4cc}},
 };

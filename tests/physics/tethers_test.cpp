@@ -224,6 +224,50 @@ TEST_P(TethersInBoth, CollidersHaveTheLastWord) {
 
 INSTANTIATE_TEST_SUITE_P(Precisions, TethersInBoth, both_precisions(), precision_name);
 
+TEST(Tethers, TakeBackWhoIsOutsideWithoutSpeed) {
+  for (const int substeps : {1, 10, 100}) {
+    weft::WorldDesc desc;
+    desc.gravity = {0, 0, 0};
+    desc.precision = weft::Precision::float64;
+    desc.substeps = uint32_t(substeps);
+    TestWorld test(desc);
+    TetheredMass mass;
+    mass.start = {1.1, 0, 0};
+    mass.velocity = {0, 0.5, 0};  // along the sphere: stays
+    const weft::ClothId cloth = mass.add_to(test);
+    test.step(1.0 / 60);
+    EXPECT_NEAR(length(test.position(cloth, 1)), 1, 1e-12) << substeps;
+    EXPECT_NEAR(length(test.velocities(cloth)[1]), 0.5, 0.01) << substeps;
+  }
+}
+
+TEST(Tethers, ShorterThanTheClothMakeNoEnergy) {
+  const auto energy = [](double scale) {
+    TestWorld test;
+    weft::GridDesc grid;
+    grid.rows = grid.columns = 33;
+    grid.stencil = weft::Stencil::classic12;
+    grid.material.stiffness = 1000;
+    grid.material.mass.value = 0.3;
+    weft::ClothDesc cloth;
+    cloth.pose = {{1, 0, 0}, 90, {0, 0, 0}};
+    const std::vector<weft::Pin> pins{{0, weft::Pin::fixed}, {32, weft::Pin::fixed}};
+    cloth.pins = pins;
+    cloth.drag = 2e-5;
+    cloth.tether_scale = scale;
+    test.add(grid, cloth);
+    double most = 0;
+    for (int frame = 0; frame < 60; ++frame) {
+      test.step(1.0 / 60);
+      most = std::max(most, test.mechanics().kinetic);
+    }
+    return most;
+  };
+  EXPECT_LT(energy(1), 2);
+  // What the shortened springs hold: half k (0.02 l)^2 of six thousand, 1.2 J.
+  EXPECT_LT(energy(0.98), 5);
+}
+
 TEST(Tethers, FollowPinsThatAreAddedAndReleased) {
   TestWorld test;
   weft::GridDesc grid;

@@ -36,8 +36,13 @@ class AllPaths {
   std::vector<double> d_;
 };
 
+NearestPins found_in(const CookedFabric& fabric, const std::vector<uint32_t>& pins) {
+  std::pmr::memory_resource* memory = std::pmr::get_default_resource();
+  return nearest_pins(fabric, Array<uint32_t>(pins.begin(), pins.end(), memory), memory);
+}
+
 void expect_equal(const CookedFabric& fabric, const AllPaths& paths, std::vector<uint32_t> pins) {
-  const NearestPins found = nearest_pins(fabric, pins);
+  const NearestPins found = found_in(fabric, pins);
   for (uint32_t v = 0; v < fabric.vertices; ++v) {
     double least = endless;
     for (const uint32_t pin : pins) least = std::min(least, paths(pin, v));
@@ -118,7 +123,7 @@ TEST(NearestPins, OfAMeshAreAlongItsTrianglesAndNotAcrossAFold) {
   paths.close();
   expect_equal(fabric, paths, {0});
   expect_equal(fabric, paths, {0, 1, 23});
-  EXPECT_GT(nearest_pins(fabric, {0}).distance[22], 10);
+  EXPECT_GT(found_in(fabric, {0}).distance[22], 10);
 }
 
 TEST(NearestPins, OfANetworkTakeTheLengthsOfItsSprings) {
@@ -151,9 +156,9 @@ TEST(NearestPins, OfTwoEquallyNearTheFirstCounts) {
   desc.columns = 5;
   CookedFabric fabric(std::pmr::get_default_resource());
   cook_grid(desc, fabric);
-  EXPECT_EQ(nearest_pins(fabric, {0, 4}).pin[2], 0u);
-  EXPECT_EQ(nearest_pins(fabric, {4, 0}).pin[2], 0u);
-  EXPECT_EQ(nearest_pins(fabric, {}).pin[2], no_pin);
+  EXPECT_EQ(found_in(fabric, {0, 4}).pin[2], 0u);
+  EXPECT_EQ(found_in(fabric, {4, 0}).pin[2], 0u);
+  EXPECT_EQ(found_in(fabric, {}).pin[2], no_pin);
 }
 
 }  // namespace

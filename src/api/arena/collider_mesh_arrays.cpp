@@ -9,7 +9,7 @@ namespace weft::api {
 namespace {
 
 template <class T, class From>
-void narrow(const scene::Array<From>& from, const void* to) {
+void copy_as(const scene::Array<From>& from, const void* to) {
   T* out = static_cast<T*>(const_cast<void*>(to));
   for (size_t i = 0; i < from.size(); ++i) out[i] = static_cast<T>(from[i]);
 }
@@ -51,11 +51,11 @@ void fill_grid(const scene::CookedColliderMesh& m, const TriangleGrid<T>& image)
   static_assert(sizeof(TrianglePlanes<T>) == 16 * sizeof(T));
   static_assert(sizeof(TriangleCorners<T>) == 9 * sizeof(T));
   static_assert(sizeof(TriangleSides<T>) == 18 * sizeof(T));
-  narrow<int32_t>(m.cell_start, image.cell_start);
-  narrow<int32_t>(m.entry_triangle, image.entry_triangle);
-  narrow<T>(m.planes, image.planes);
-  narrow<T>(m.corners, image.corners);
-  if (m.closed) narrow<T>(m.sides, image.sides);
+  copy_as<int32_t>(m.cell_start, image.cell_start);
+  copy_as<int32_t>(m.entry_triangle, image.entry_triangle);
+  copy_as<T>(m.planes, image.planes);
+  copy_as<T>(m.corners, image.corners);
+  if (m.closed) copy_as<T>(m.sides, image.sides);
   mark_bricks(m, writable(image.occupied));
 }
 

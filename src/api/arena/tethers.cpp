@@ -13,9 +13,12 @@ namespace {
 const scene::NearestPins& nearest_pins(const ClothRecord& cloth) {
   std::shared_ptr<const void>& kept = cloth.kept[static_cast<int>(Part::tethers)];
   if (!kept) {
-    std::vector<uint32_t> pins;
+    std::pmr::memory_resource* memory = cloth.pins.get_allocator().resource();
+    scene::Array<uint32_t> pins(memory);
     for (const PinRecord& pin : cloth.pins) pins.push_back(pin.vertex);
-    kept = std::make_shared<const scene::NearestPins>(scene::nearest_pins(cloth.cooked(), pins));
+    kept = std::allocate_shared<const scene::NearestPins>(
+        std::pmr::polymorphic_allocator<scene::NearestPins>(memory),
+        scene::nearest_pins(cloth.cooked(), pins, memory));
   }
   return *static_cast<const scene::NearestPins*>(kept.get());
 }

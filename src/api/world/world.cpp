@@ -110,13 +110,14 @@ Result<ClothId> World::create_cloth(const ClothDesc& cloth_desc) noexcept {
     fill_record(cloth_desc, *record);
     impl_->start_bounds_of(*record);
     choose_evaluation(impl_->desc, impl_->context->backend->info(), *record);
+    const std::vector<scene::CookedDiagnostic> remarks = api::remarks_on(*record);
     if (impl_->order.size() == impl_->order.capacity()) {
       impl_->order.reserve(2 * impl_->order.size() + 8);
     }
     id = impl_->cloth_ids.take(impl_->cloths);
     record->id = id;
     if (impl_->wind) impl_->say_if_windless(*record);
-    for (const scene::CookedDiagnostic& d : api::remarks_on(*record)) {
+    for (const scene::CookedDiagnostic& d : remarks) {
       impl_->context->say(d.severity, text("cloth %u: %s", id.index, d.text.c_str()));
     }
     impl_->cloths[id.index] = std::move(record);

@@ -202,6 +202,14 @@ int run_command(const RunOptions& options) {
   for (const Windless& cloth : windless_cloths(scene, made)) {
     print_message("warning: " + scene.file + ": " + cloth.text);
   }
+  for (size_t i = 0; i < made.cloths.size(); ++i) {
+    const auto remarks = made.world.diagnostics(made.cloths[i]);
+    made.require(remarks.status(), scene.file);
+    for (uint32_t k = 0; k < remarks->count; ++k) {
+      print_message("warning: " + scene.file + ": cloth '" + scene.cloths[i].name +
+                    "': " + (*remarks)[k].text);
+    }
+  }
   io::Report report;
   collect_fallback(made, report.events);
   std::string early = simulate(scene, made, frames ? &*frames : nullptr, report);

@@ -3,7 +3,7 @@
 //   frame:    reach?, substep, substep, ..., survey       one parallel region, one enqueue
 //   reach:    which colliders each block can touch        where a cloth has many near it
 //   substep:  springs?, hubs?                    where a cloth scatters or has very many springs
-//             advance = forces | wind? | integration | colliders? | pins?    one pass over all;
+//             advance = forces | wind? | integration | tethers? | colliders? | pins?    one pass;
 //             on a GPU shapes? | meshes? | pins? are passes of their own
 //             swap:     what was written becomes what is read
 //   survey:   where the cloths are, how fast, whether any particle is lost

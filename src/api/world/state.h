@@ -66,6 +66,8 @@ struct __attribute__((visibility("hidden"))) World::Impl : HostObject {
   api::ArenaInput arena_input(uint32_t substeps) const;
   /// Makes the arena anew where inputs have changed its shape. `dt`: of the substep to come.
   Status ensure_built(double dt, uint32_t substeps);
+  /// Destroys the record of a cloth that is no longer in `order`; needs no memory.
+  Status bury(uint32_t slot);
   Status ensure_readable();
   /// Accelerations and normals are made when they are asked for, for all cloths at once.
   Status make_result(api::StateArray);
@@ -107,6 +109,7 @@ struct __attribute__((visibility("hidden"))) World::Impl : HostObject {
   WorldDesc desc;
   Vector<std::unique_ptr<api::ClothRecord>> cloths;  ///< by slot; null: free
   api::Slots<ClothId> cloth_ids;
+  Vector<std::unique_ptr<api::ClothRecord>> graves;  ///< destroyed, but the arena is made for them
   Vector<ClothId> order;                  ///< by creation
   Vector<api::ColliderRecord> colliders;  ///< by slot; null id: free
   api::Slots<ColliderId> collider_ids;

@@ -114,6 +114,7 @@ Status World::Impl::ensure_built(double dt, uint32_t substeps) {
     const Status status = arena->save(*built);
     if (status != Status::ok) return status;
     built.reset();
+    graves.clear();
   }
   dirty = true;
   result = Result::none;
@@ -240,11 +241,11 @@ Status World::Impl::report_not_finite() {
 }
 
 Status World::Impl::begin(double dt, uint32_t substeps) {
-  events.clear();
-  if (lost) {
+  if (lost) {  // the events that say how stay
     return context->fail(Status::diverged,
                          "the world has diverged (it cannot go on) destroy it and begin anew");
   }
+  events.clear();
   const Status status = ensure_built(dt / substeps, substeps);
   if (status != Status::ok) return status;
   events.make_room(order.size() + 4);  // whoever sleeps or wakes, and what else may happen

@@ -76,6 +76,7 @@ Status World::begin_step(double dt) noexcept {
   return api::guarded(*impl_->context, [&] {
     impl_->flight.dt = 0;
     if (dt > 0) {
+      if (!impl_->context->jobs.parallel_for) impl_->runner.make();  // while nothing has begun
       if (const Status status = impl_->begin(dt, *n); status != Status::ok) return status;
       impl_->start_flight();
     }

@@ -34,7 +34,8 @@ struct double3 {
 };
 
 /// Non-owning strided view of `count` elements, `stride` bytes apart. The elements must be aligned
-/// for T. A view may point straight into an engine's interleaved buffer.
+/// for T. A view may point straight into an engine's interleaved buffer. It holds fewer than 2^32 - 1
+/// elements; one of more has that count, and every call refuses it.
 template <class T>
 struct View {
   const void* data = nullptr;
@@ -42,13 +43,18 @@ struct View {
   uint32_t stride = sizeof(T);
 
   constexpr View() = default;
-  constexpr View(const T* first, size_t n) : data(first), count(static_cast<uint32_t>(n)) {}
+  constexpr View(const T* first, size_t n) : data(first), count(counted(n)) {}
   constexpr View(const void* first, size_t n, uint32_t byte_stride)
-      : data(first), count(static_cast<uint32_t>(n)), stride(byte_stride) {}
+      : data(first), count(counted(n)), stride(byte_stride) {}
   /// From anything contiguous that has data() and size(): vector, array, span.
   template <class Container,
             class = decltype(static_cast<const T*>(static_cast<const Container*>(nullptr)->data()))>
-  constexpr View(const Container& c) : data(c.data()), count(static_cast<uint32_t>(c.size())) {}
+  constexpr View(const Container& c) : data(c.data()), count(counted(c.size())) {}
+
+  static constexpr uint32_t too_many = ~0u;
+  static constexpr uint32_t counted(size_t n) {
+    return n < too_many ? static_cast<uint32_t>(n) : too_many;
+  }
 
   constexpr bool empty() const { return count == 0; }
   /// Element i. Not checked: i must be below `count`.

@@ -200,6 +200,10 @@ struct Stats {
   uint32_t substeps_last, substeps_most;
   double dt_last, dt_least;  ///< s
   double step_seconds;       ///< wall time inside step()
+  /// CPU time of the threads that worked in step(), s: more than wall time where several did, less
+  /// where other programs took the processor. With the caller's jobs: of the whole process
+  /// meanwhile. Of a GPU: of the thread that waited for it.
+  double cpu_seconds;
   double time_dropped;       ///< s, by advance(), since the world was made
   uint32_t threads;          ///< most that a step may use; small worlds run on fewer
   View<PhaseTime> phases;

@@ -294,6 +294,7 @@ void World::Impl::publish() const noexcept {
   s.dt_last = dt_before;
   s.dt_least = dt_least;
   s.step_seconds = step_seconds;
+  s.cpu_seconds = cpu_seconds;
   s.time_dropped = time_dropped;
   s.threads = threads_last;
   const int shown = desc.profile ? api::phases_with_laps : api::phase_count;

@@ -31,6 +31,7 @@ struct Flight {
   uint32_t substeps = 0;
   Status outcome = Status::ok;
   double seconds = 0;            ///< how long the arena worked
+  double cpu_seconds = 0;        ///< and its threads
   std::atomic<bool> done{true};  ///< set by the thread that made the step
   std::atomic<bool> left{true};  ///< the last that this thread touches
 };
@@ -142,7 +143,7 @@ struct __attribute__((visibility("hidden"))) World::Impl : HostObject {
 
   uint64_t frames = 0, steps = 0;
   uint32_t substeps_most = 0, substeps_last = 0, threads_last = 1;
-  double dt_least = 0, step_seconds = 0;
+  double dt_least = 0, step_seconds = 0, cpu_seconds = 0;
   double time_owed = 0, time_dropped = 0;  ///< s, of advance()
   PhaseTime phases[api::phases_with_laps] = {
       {"prepare", 0},       {"advance", 0},           {"check", 0},

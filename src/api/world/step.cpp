@@ -257,7 +257,7 @@ Status World::Impl::begin(double dt, uint32_t substeps) {
 }
 
 void World::Impl::fly() noexcept {
-  flight.seconds = 0;
+  flight.seconds = flight.cpu_seconds = 0;
   const MemoryScope scope(&context->memory);
   const api::Zone zone(*context, "weft step");
   const Stopwatch watch(flight.seconds);
@@ -265,6 +265,7 @@ void World::Impl::fly() noexcept {
   const double before = dt_before > 0 ? dt_before : sub_dt;
   Workers workers = context->workers();
   if (desc.profile) workers.clock = &clock;
+  workers.cpu_seconds = &flight.cpu_seconds;
   try {
     flight.outcome =
         arena->frame(*built, {static_cast<int>(flight.substeps), sub_dt, before, time, workers});
@@ -282,6 +283,7 @@ void World::Impl::tell_who_sleeps(api::ClothRecord& cloth) {
 
 Status World::Impl::land() {
   phases[api::phase_inputs_and_advance].seconds += flight.seconds;
+  cpu_seconds += flight.cpu_seconds;
   for (int lap = 0; lap < lap_count; ++lap) {
     phases[api::phase_count + lap].seconds = clock.seconds[lap];
   }

@@ -32,6 +32,7 @@ class Stopwatch {
 
 constexpr double shortest_substep = 1e-15;
 constexpr double most_substeps = 1e9;
+constexpr double most_table_bytes = 268435456;
 
 /// The fewest substeps of a frame with dt / n <= limit; beyond most_substeps the size is all that
 /// counts.
@@ -42,6 +43,19 @@ double fewest_substeps(double dt, double limit) {
   if (dt / n > limit) n += 1;
   if (n > 1 && dt / (n - 1) <= limit) n -= 1;
   return n;
+}
+
+/// Offsets of pin motions and turns of colliders are tabled for every substep of a frame.
+void check_tables(const plan::WorldShape& shape) {
+  const Counts counts = plan::counts_of(shape);
+  const double motions = counts.pin_blocks > 0 ? static_cast<double>(counts.motions) : 0;
+  const double of_substep = 3 * motions + 9 * static_cast<double>(counts.turns);
+  const double bytes = shape.substeps * of_substep * static_cast<double>(shape.scalar());
+  if (bytes <= most_table_bytes) return;
+  throw InvalidInput(
+      text("%u substeps (with moving pins or turning colliders they take tables of %.3g GB, and a "
+           "step has %.3g at most) step less far at once",
+           shape.substeps, 1e-9 * bytes, 1e-9 * most_table_bytes));
 }
 
 bool before_in_arena(const api::ClothRecord* a, const api::ClothRecord* b) {
@@ -102,6 +116,7 @@ api::ArenaInput World::Impl::arena_input(uint32_t substeps) const {
     in.meshes.push_back(c.cooked_mesh);
     shape.meshes.push_back(api::grid_counts(*c.cooked_mesh));
   }
+  check_tables(shape);
   return in;
 }
 

@@ -148,7 +148,7 @@ Status World::Impl::bury(uint32_t slot) {
 }
 
 Status World::destroy_cloth(ClothId id) noexcept {
-  const api::CallGuard guard(impl_);
+  const api::CallGuard guard(impl_, id);
   if (!guard) return guard.status();
   if (!impl_->find(id)) return impl_->stale("cloth", id.index);
   return api::guarded(*impl_->context, [&] {
@@ -186,8 +186,9 @@ void World::Impl::remove(api::ColliderRecord& collider) {
 }
 
 template <class Desc>
-static Result<ColliderId> add_collider(World::Impl* impl, const Desc& desc) {
-  const api::CallGuard guard(impl);
+static Result<ColliderId> add_collider(World::Impl* impl, const Desc& desc,
+                                       const char* call = __builtin_FUNCTION()) {
+  const api::CallGuard guard(impl, api::CallGuard::During::rest, call);
   if (!guard) return guard.status();
   ColliderId id;
   const Status status = api::guarded(*impl->context, [&] {
@@ -246,7 +247,7 @@ static void check_vertices(const api::ClothRecord& cloth, View<uint32_t> vertice
 }
 
 Status World::move_pins(ClothId id, View<uint32_t> vertices, PointView targets) noexcept {
-  const api::CallGuard guard(impl_);
+  const api::CallGuard guard(impl_, id);
   if (!guard) return guard.status();
   api::ClothRecord* cloth = impl_->find(id);
   if (!cloth) return impl_->stale("cloth", id.index);
@@ -290,7 +291,7 @@ Status World::move_pins(ClothId id, View<uint32_t> vertices, PointView targets) 
 }
 
 Status World::set_skinned_targets(ClothId id, PointView targets) noexcept {
-  const api::CallGuard guard(impl_);
+  const api::CallGuard guard(impl_, id);
   if (!guard) return guard.status();
   const api::ClothRecord* cloth = impl_->find(id);
   if (!cloth) return impl_->stale("cloth", id.index);
@@ -312,7 +313,7 @@ Status World::set_skinned_targets(ClothId id, PointView targets) noexcept {
 }
 
 Status World::release_pins(ClothId id, View<uint32_t> vertices) noexcept {
-  const api::CallGuard guard(impl_);
+  const api::CallGuard guard(impl_, id);
   if (!guard) return guard.status();
   api::ClothRecord* cloth = impl_->find(id);
   if (!cloth) return impl_->stale("cloth", id.index);
@@ -330,7 +331,7 @@ Status World::release_pins(ClothId id, View<uint32_t> vertices) noexcept {
 }
 
 Result<View<Diagnostic>> World::diagnostics(ClothId id) noexcept {
-  const api::CallGuard guard(impl_);
+  const api::CallGuard guard(impl_, id);
   if (!guard) return guard.status();
   api::ClothRecord* cloth = impl_->find(id);
   if (!cloth) return impl_->stale("cloth", id.index);

@@ -116,7 +116,7 @@ Status guarded(ContextState& context, const Body& body) noexcept {
 }  // namespace api
 
 inline namespace v0 {
-struct Context::Impl : HostObject {
+struct Context::Impl {
   explicit Impl(std::shared_ptr<api::ContextState> made) : state(std::move(made)) {}
 
   std::shared_ptr<api::ContextState> state;

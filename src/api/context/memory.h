@@ -45,6 +45,7 @@ class ContextMemory final : public std::pmr::memory_resource {
 
   /// For back ends; counts what passes.
   Allocator hooks() noexcept { return {this, allocate_hook, deallocate_hook}; }
+  const Allocator& user() const noexcept { return user_; }
   /// Device memory that does not pass through the hooks.
   void count(std::ptrdiff_t bytes) noexcept { held_ += bytes; }
   uint64_t held() const noexcept { return static_cast<uint64_t>(held_.load()); }

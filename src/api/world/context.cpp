@@ -16,8 +16,9 @@ Context& Context::operator=(Context&& other) noexcept {
 }
 Context::~Context() {
   if (!impl_) return;
-  const std::shared_ptr<ContextState> keep = impl_->state;  // its memory
-  delete impl_;
+  api::UncountedAllocator<Impl> memory(impl_->state->memory.user());
+  impl_->~Impl();
+  memory.deallocate(impl_, 1);
 }
 
 Result<Context> Context::create(const ContextDesc& desc, uint32_t abi) noexcept {
@@ -78,7 +79,7 @@ Result<Context> Context::create(const ContextDesc& desc, uint32_t abi) noexcept 
                      : desc.threads > 0     ? desc.threads
                                             : std::max(1u, std::thread::hardware_concurrency());
     if (!choice.fallback.empty()) state->say(Severity::info, choice.fallback);
-    return Context(new Impl(state));
+    return Context(new (api::UncountedAllocator<Impl>(desc.allocator).allocate(1)) Impl(state));
   } catch (const InvalidInput& problem) {
     return refuse(Status::invalid_argument, problem.what());
   } catch (const std::bad_alloc&) {

@@ -166,7 +166,7 @@ typedef struct weft_collider_mesh_desc {
 typedef struct weft_world_desc {
   weft_double3 gravity;
   uint8_t precision, form, start;
-  uint32_t substeps;
+  uint32_t substeps, max_substeps;
   double safety;
   bool unsafe;
   double fixed_dt;
@@ -260,7 +260,7 @@ typedef struct weft_bounds {
 } weft_bounds;
 typedef struct weft_advance {
   uint32_t steps;
-  double alpha;
+  double alpha, time;
 } weft_advance;
 typedef struct weft_stability {
   double dt_bound;

@@ -69,6 +69,7 @@ WorldDesc from_c(const weft_world_desc& d) {
   out.form = choice<Form>(d.form);
   out.start = choice<Start>(d.start);
   out.substeps = d.substeps;
+  out.max_substeps = d.max_substeps;
   out.safety = d.safety;
   out.unsafe = d.unsafe;
   out.fixed_dt = d.fixed_dt;

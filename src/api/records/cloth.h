@@ -5,6 +5,7 @@
 #include <memory_resource>
 #include <vector>
 
+#include "api/records/way.h"
 #include "plan/shape.h"
 #include "scene/fabric.h"
 #include "weft/world.hpp"
@@ -18,6 +19,7 @@ struct PinRecord {
   bool gliding = false;   ///< travels from `base` to `target` in the next step
   double3 base;           ///< world position without its motion
   double3 target{0, 0, 0};
+  Way<double3> way;  ///< where move_pins leads it
 };
 
 struct ClothRecord : ClothSettings {
@@ -42,11 +44,16 @@ struct ClothRecord : ClothSettings {
   // Rows of the rotation; position in the world = rotation * rest + translate.
   double3 rotation[3];
   double3 translate{0, 0, 0};
-  double3 origin{0, 0, 0};  ///< whole metres; device positions are relative to it
+  /// Whole metres; device positions are relative to it. It follows the cloth between frames, where
+  /// that rounds nothing.
+  double3 origin{0, 0, 0};
+  double extent = 0;          ///< m: from the middle to most of the particles at the start
+  double3 middle{0, 0, 0};    ///< local, of the last survey: the median of a sample
 
   double3 velocity{0, 0, 0};
   uint64_t user_data = 0;
   std::pmr::vector<PinRecord> pins;  ///< ascending vertex
+  bool pins_led = false;             ///< some `way` is not at rest
   std::pmr::vector<PinMotion> motions;
   std::pmr::vector<VertexForce> forces;  ///< ascending vertex, each once
   std::pmr::vector<double3>

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "api/records/collider_motion.h"
+#include "api/records/way.h"
 #include "plan/shape.h"
 #include "weft/world.hpp"
 
@@ -35,6 +36,7 @@ struct ColliderRecord {
   double since = 0;           ///< s: world time
   Placed target;              ///< at the end of the next step, if `gliding`
   bool gliding = false;
+  Way<Placed> way;        ///< where moves lead it
   bool can_turn = false;  ///< was ever turned by a move: it needs a column of the turns
 };
 

@@ -104,6 +104,19 @@ bool same_place(const Placed& a, const Placed& b) {
   return same_rotation(a, b) && same(a.translate, b.translate);
 }
 
+Placed between(const Placed& from, const Placed& to, double fraction) {
+  if (fraction <= 0) return from;
+  if (fraction >= 1) return to;
+  Placed now = from;
+  if (!same_rotation(from, to)) {
+    const double shorter = inner(from.rotation, to.rotation) < 0 ? -1 : 1;
+    now.rotation = blend(from.rotation, 1 - fraction, to.rotation, shorter * fraction);
+    rows_of(now.rotation, now.rows);
+  }
+  now.translate = plus(from.translate, times(fraction, minus(to.translate, from.translate)));
+  return now;
+}
+
 void turn_between(const Placed& begin, const Placed& end, double fraction, double3* rows) {
   double3 now[3];
   if (fraction < 1) {

@@ -32,6 +32,10 @@ double3 to_world(const Placed&, const double3& described);
 bool same_rotation(const Placed&, const Placed&);
 bool same_place(const Placed&, const Placed&);
 
+/// A fraction of the way between two placements: what is placed moves on a line and turns by the
+/// shorter way; exact at both ends.
+Placed between(const Placed& from, const Placed& to, double fraction);
+
 /// Rows of the rotation that has taken place since `begin` at a fraction of the way to `end`: by
 /// the shorter way about one axis, nearly uniform (the chord between the quaternions, normalised).
 void turn_between(const Placed& begin, const Placed& end, double fraction, double3* rows);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <atomic>
+#include <deque>
 #include <optional>
 
 #include "api/arena/arena.h"
@@ -31,10 +32,18 @@ struct ColliderSetRecord {
 struct Flight {
   bool active = false;  ///< between begin_step and end_step
   double dt = 0;        ///< s, of the whole step
+  double way = 1;       ///< how much of the frame's inputs is behind at its end
   uint32_t substeps = 0;
   Status outcome = Status::ok;
   double seconds = 0;            ///< how long the arena worked
   std::atomic<bool> done{true};  ///< set by the thread that made the step
+};
+
+/// A step that is about to be made.
+struct Stride {
+  double dt = 0;  ///< s
+  uint32_t substeps = 0;
+  double dropped = 0;  ///< s that max_substeps takes off
 };
 
 /// A force beyond the range of fixed64.
@@ -75,10 +84,23 @@ struct __attribute__((visibility("hidden"))) World::Impl {
   void want_normals();
   /// A step in three parts: what the world does before the arena works, the arena's work, which may
   /// be another thread's, and what the world does after it.
-  Status begin(double dt, uint32_t substeps);
+  /// `way`: how much of what was given for this frame is behind at the end of the step.
+  Status begin(const api::Stride&, double way);
   void fly() noexcept;
   Status land();
-  Status run(double dt, uint32_t substeps);
+  Status run(const api::Stride&, double way);
+  /// Substeps of a step of `dt`; throws InvalidInput.
+  Status stride_of(double dt, api::Stride&);
+  /// Targets of what is led, for the step to come.
+  void aim(double way);
+  /// What is led has taken its step; `way` as in aim.
+  void arrive(double way);
+  /// The frame is over: what was given for it and has not been reached waits for the next step.
+  void end_inputs();
+  void begin_events() noexcept;
+  /// World time of what write_outputs(alpha) draws, s.
+  double drawn_time(double alpha) const;
+  void drop_time(double seconds, const char* why);
   void start_flight();
   void wait_for_flight() noexcept;
   void tell_who_sleeps(api::ClothRecord&);
@@ -96,6 +118,9 @@ struct __attribute__((visibility("hidden"))) World::Impl {
   void move(api::ColliderRecord&, const api::Placed& to, Move);
   void remove(api::ColliderRecord&);
   void wake_all() noexcept;
+  /// Leads pins to targets; free vertices are pinned first. `vertices` and `targets` are checked.
+  Status lead_pins(api::ClothRecord&, View<uint32_t> vertices, const PointView& targets);
+  Status pin_free(api::ClothRecord&, const std::pmr::vector<uint32_t>& vertices);
   /// Tells the log of a cloth that wind cannot move.
   void say_if_windless(const api::ClothRecord&);
 
@@ -146,7 +171,7 @@ struct __attribute__((visibility("hidden"))) World::Impl {
       {"advance.sums", 0},  {"advance.particles", 0}, {"advance.survey", 0}};
   StageClock clock;
 
-  std::vector<api::EventRecord> event_records;
+  std::deque<api::EventRecord> event_records;  ///< texts stay where they are
   std::vector<Event> events;
   plan::Plan plan;
   std::vector<PassInfo> passes;

@@ -176,45 +176,59 @@ std::string World::Impl::bound_text(const Stability& bound, double dt, uint32_t 
       fewest_substeps(dt, bound.dt_bound));
 }
 
+Status World::Impl::stride_of(double dt, api::Stride& stride) {
+  if (!std::isfinite(dt) || dt < 0 || std::fpclassify(dt) == FP_SUBNORMAL) {
+    throw InvalidInput(
+        text("a step of %g s (time runs forward, in ordinary numbers) give a finite dt >= 0", dt));
+  }
+  const Stability bound = tightest();
+  stride = {dt, desc.substeps, 0};
+  if (desc.substeps == 0) {
+    const double limit = desc.safety * bound.dt_bound;
+    double n = fewest_substeps(dt, limit);
+    if (desc.max_substeps > 0 && n > desc.max_substeps) {
+      n = desc.max_substeps;
+      stride.dt = n * limit;
+      while (stride.dt / n > limit) stride.dt = std::nextafter(stride.dt, 0.0);
+      stride.dropped = dt - stride.dt;
+    }
+    if (!(n <= most_substeps)) {
+      throw InvalidInput(
+          text("a step of %g s takes %.3g substeps (at most 1e9) step less far at once, or set "
+               "max_substeps",
+               dt, n));
+    }
+    stride.substeps = static_cast<uint32_t>(n);
+  }
+  const double sub_dt = stride.dt / stride.substeps;
+  if (dt > 0 && sub_dt < shortest_substep) {
+    throw InvalidInput(
+        text("a substep of %g s (the shortest is 1e-15 s) step further at once", sub_dt));
+  }
+  if (sub_dt > bound.dt_bound && !desc.unsafe) {
+    return context->fail(Status::unstable_step, bound_text(bound, dt, stride.substeps));
+  }
+  return Status::ok;
+}
+
 Result<uint32_t> World::substeps(double dt) noexcept {
   const api::CallGuard guard(impl_);
   if (!guard) return guard.status();
-  uint32_t count = 0;
-  const Status status = api::guarded(*impl_->context, [&] {
-    if (!std::isfinite(dt) || dt < 0 || std::fpclassify(dt) == FP_SUBNORMAL) {
-      throw InvalidInput(
-          text("a step of %g s (time runs forward, in ordinary numbers) give a finite "
-               "dt >= 0",
-               dt));
-    }
-    const Stability bound = impl_->tightest();
-    double n = impl_->desc.substeps;
-    if (n == 0) n = fewest_substeps(dt, impl_->desc.safety * bound.dt_bound);
-    if (!(n <= most_substeps)) {
-      throw InvalidInput(
-          text("a step of %g s takes %.3g substeps (at most 1e9) step less far at once", dt, n));
-    }
-    count = static_cast<uint32_t>(n);
-    if (dt > 0 && dt / n < shortest_substep) {
-      throw InvalidInput(
-          text("a substep of %g s (the shortest is 1e-15 s) step further at once", dt / n));
-    }
-    if (dt / n > bound.dt_bound && !impl_->desc.unsafe) {
-      return impl_->context->fail(Status::unstable_step, impl_->bound_text(bound, dt, count));
-    }
-    return Status::ok;
-  });
+  api::Stride stride;
+  const Status status = api::guarded(*impl_->context, [&] { return impl_->stride_of(dt, stride); });
   if (status != Status::ok) return status;
-  return count;
+  return stride.substeps;
 }
 
 Status World::prepare(double dt) noexcept {
   const api::CallGuard guard(impl_);
   if (!guard) return guard.status();
-  Result<uint32_t> n = substeps(dt);
-  if (!n) return n.status();
-  if (dt == 0) return Status::ok;
-  return api::guarded(*impl_->context, [&] { return impl_->ensure_built(dt / *n, *n); });
+  return api::guarded(*impl_->context, [&] {
+    api::Stride stride;
+    const Status status = impl_->stride_of(dt, stride);
+    if (status != Status::ok || dt == 0) return status;
+    return impl_->ensure_built(stride.dt / stride.substeps, stride.substeps);
+  });
 }
 
 Status World::Impl::report_not_finite() {
@@ -240,19 +254,87 @@ Status World::Impl::report_not_finite() {
   return Status::diverged;
 }
 
-Status World::Impl::begin(double dt, uint32_t substeps) {
+void World::Impl::begin_events() noexcept {
   events.clear();
   event_records.clear();
+}
+
+void World::Impl::drop_time(double seconds, const char* why) {
+  time_dropped = std::min(time_dropped + seconds, std::numeric_limits<double>::max());
+  events.push_back({EventType::time_dropped, {}, 0, time, why});
+}
+
+void World::Impl::aim(double way) {
+  const auto due = [way](const auto& led) {
+    return way >= 1 || led.state == std::decay_t<decltype(led)>::State::late;
+  };
+  for (const ClothId id : order) {
+    api::ClothRecord& cloth = *cloths[id.index];
+    if (!cloth.pins_led) continue;
+    for (api::PinRecord& pin : cloth.pins) {
+      const auto& led = pin.way;
+      if (led.state == api::Way<double3>::State::none) continue;
+      pin.target =
+          due(led) ? led.to : api::plus(led.from, api::times(way, api::minus(led.to, led.from)));
+      pin.gliding = true;
+    }
+  }
+  for (api::ColliderRecord& c : colliders) {
+    if (!c.id || c.way.state == api::Way<api::Placed>::State::none) continue;
+    c.target = due(c.way) ? c.way.to : api::between(c.way.from, c.way.to, way);
+    c.gliding = true;
+  }
+}
+
+void World::Impl::arrive(double way) {
+  const auto arrives = [way](auto& led) {
+    if (way >= 1 || led.state == std::decay_t<decltype(led)>::State::late) led.arrive();
+  };
+  for (api::ClothRecord* cloth : built->cloths) {
+    if (!cloth->pins_led) continue;
+    cloth->pins_led = false;
+    for (api::PinRecord& pin : cloth->pins) {
+      if (!pin.gliding) continue;
+      pin.base = pin.target;
+      pin.gliding = false;
+      arrives(pin.way);
+      cloth->pins_led |= pin.way.state != api::Way<double3>::State::none;
+    }
+  }
+  for (api::ColliderRecord& c : colliders) {
+    if (!c.id || !c.gliding) continue;
+    c.placed = c.target;
+    c.since = time;
+    c.gliding = false;
+    arrives(c.way);
+  }
+}
+
+void World::Impl::end_inputs() {
+  for (const ClothId id : order) {
+    api::ClothRecord& cloth = *cloths[id.index];
+    if (!cloth.pins_led) continue;
+    for (api::PinRecord& pin : cloth.pins) pin.way.hold();
+  }
+  for (api::ColliderRecord& c : colliders) c.way.hold();
+}
+
+Status World::Impl::begin(const api::Stride& stride, double way) {
   if (lost) {
     return context->fail(Status::diverged,
                          "the world has diverged (it cannot go on) destroy it and begin anew");
   }
-  const Status status = ensure_built(dt / substeps, substeps);
+  const Status status = ensure_built(stride.dt / stride.substeps, stride.substeps);
   if (status != Status::ok) return status;
-  wake_by_colliders(dt);
+  aim(way);
+  wake_by_colliders(stride.dt);
   result = Result::none;
-  flight.dt = dt;
-  flight.substeps = substeps;
+  if (stride.dropped > 0) {
+    drop_time(stride.dropped, "the step took max_substeps and was not as long as asked for");
+  }
+  flight.dt = stride.dt;
+  flight.substeps = stride.substeps;
+  flight.way = way;
   return Status::ok;
 }
 
@@ -298,25 +380,16 @@ Status World::Impl::land() {
   }
   time = time_base + static_cast<double>(++frames_of_dt) * dt;
   dt_before = sub_dt;
+  arrive(flight.way);
   for (api::ClothRecord* cloth : built->cloths) {
     if (!cloth->moved) {
       cloth->moved = true;
       cloth->positions = std::pmr::vector<double3>(&context->memory);
       cloth->velocities = std::pmr::vector<double3>(&context->memory);
     }
-    for (api::PinRecord& pin : cloth->pins) {
-      if (pin.gliding) pin.base = pin.target;
-      pin.gliding = false;
-    }
     api::notice_rest(*cloth, dt, sub_dt);
     tell_who_sleeps(*cloth);
     publish_bounds(*cloth);
-  }
-  for (api::ColliderRecord& c : colliders) {
-    if (!c.id || !c.gliding) continue;
-    c.placed = c.target;
-    c.since = time;
-    c.gliding = false;
   }
   starting = false;
   ++frames;
@@ -334,9 +407,10 @@ Status World::Impl::land() {
   return Status::ok;
 }
 
-Status World::Impl::run(double dt, uint32_t substeps) {
-  const Status status = begin(dt, substeps);
+Status World::Impl::run(const api::Stride& stride, double way) {
+  const Status status = begin(stride, way);
   if (status != Status::ok) return status;
+  Stopwatch watch(step_seconds);
   fly();
   return land();
 }
@@ -344,11 +418,13 @@ Status World::Impl::run(double dt, uint32_t substeps) {
 Status World::step(double dt) noexcept {
   const api::CallGuard guard(impl_);
   if (!guard) return guard.status();
-  Result<uint32_t> n = substeps(dt);
-  if (!n) return n.status();
-  if (dt == 0) return Status::ok;
-  Stopwatch watch(impl_->step_seconds);
-  return api::guarded(*impl_->context, [&] { return impl_->run(dt, *n); });
+  return api::guarded(*impl_->context, [&] {
+    impl_->begin_events();
+    api::Stride stride;
+    const Status status = impl_->stride_of(dt, stride);
+    if (status != Status::ok || dt == 0) return status;
+    return impl_->run(stride, 1);
+  });
 }
 
 }  // namespace v0

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <numeric>
 
 #include "api/arena/parts.h"
 #include "api/world/call_guard.h"
@@ -45,6 +46,12 @@ void check_world(const WorldDesc& desc) {
   if (desc.max_steps_per_advance == 0) {
     throw InvalidInput(
         "max_steps_per_advance is 0 (time would never pass) give the most steps of a frame");
+  }
+  if (desc.max_substeps > 0 && desc.substeps > desc.max_substeps) {
+    throw InvalidInput(
+        text("substeps is %u (max_substeps, %u, is the most of a step) give at most that many, or "
+             "raise max_substeps",
+             desc.substeps, desc.max_substeps));
   }
   if (!(desc.safety > 0) || desc.safety > 1) {
     throw InvalidInput(
@@ -232,6 +239,84 @@ static void check_vertices(const api::ClothRecord& cloth, View<uint32_t> vertice
   }
 }
 
+/// Where a pin is at a time, its motion included.
+static double3 place_at(const api::ClothRecord& cloth, const api::PinRecord& pin, double time) {
+  if (pin.motion < 0) return pin.base;
+  return api::plus(pin.base,
+                   api::motion_offset(cloth.motions[static_cast<size_t>(pin.motion)], time));
+}
+
+/// Whether a pin is on its way to a place, or there, already.
+static bool goes_to(const api::PinRecord& pin, const double3& place) {
+  if (pin.motion >= 0) return false;
+  const bool at_rest = pin.way.state == api::Way<double3>::State::none;
+  return api::same(at_rest ? pin.base : pin.way.to, place);
+}
+
+/// A new pin on every free vertex of an ascending list, where the vertex is now.
+Status World::Impl::pin_free(api::ClothRecord& cloth, const std::pmr::vector<uint32_t>& vertices) {
+  std::pmr::vector<api::PinRecord> pins(&context->memory);
+  pins.reserve(cloth.pins.size() + vertices.size());
+  std::vector<double3> now;
+  auto next = cloth.pins.begin();
+  for (const uint32_t v : vertices) {
+    while (next != cloth.pins.end() && next->vertex < v) pins.push_back(*next++);
+    const bool pinned = (next != cloth.pins.end() && next->vertex == v) ||
+                        (!pins.empty() && pins.back().vertex == v);
+    if (pinned) continue;
+    if (now.empty()) {
+      Status status = ensure_readable();
+      if (status == Status::ok) status = arena->read(cloth, api::StateArray::position, now);
+      if (status != Status::ok) return status;
+    }
+    api::PinRecord pin;
+    pin.vertex = v;
+    pin.base = api::plus(cloth.origin, now[v]);
+    pins.push_back(pin);
+  }
+  if (now.empty()) return Status::ok;
+  pins.insert(pins.end(), next, cloth.pins.end());
+  cloth.pins = std::move(pins);
+  cloth.repinned();
+  return Status::ok;
+}
+
+Status World::Impl::lead_pins(api::ClothRecord& cloth, View<uint32_t> vertices,
+                              const PointView& targets) {
+  // Ascending, the last target of a vertex last.
+  std::pmr::vector<uint32_t> order_of(vertices.count, &context->memory);
+  std::iota(order_of.begin(), order_of.end(), 0u);
+  const auto before = [&](uint32_t a, uint32_t b) {
+    return vertices[a] != vertices[b] ? vertices[a] < vertices[b] : a < b;
+  };
+  if (!std::is_sorted(order_of.begin(), order_of.end(), before)) {
+    std::sort(order_of.begin(), order_of.end(), before);
+  }
+  std::pmr::vector<uint32_t> sorted(&context->memory);
+  sorted.reserve(vertices.count);
+  for (const uint32_t i : order_of) sorted.push_back(vertices[i]);
+  const size_t pins_before = cloth.pins.size();
+  if (const Status status = pin_free(cloth, sorted); status != Status::ok) return status;
+  bool changes = cloth.pins.size() != pins_before;
+  auto pin = cloth.pins.begin();
+  for (const uint32_t i : order_of) {
+    while (pin->vertex < vertices[i]) ++pin;
+    const double3 place = targets[i];
+    if (pin->can_move && goes_to(*pin, place)) continue;
+    if (!pin->can_move && pin->motion < 0 && api::same(pin->base, place)) continue;
+    changes = true;
+    if (!pin->can_move) dirty = true;
+    const double3 set_out = place_at(cloth, *pin, time + time_owed);  // when the last frame ended
+    pin->base = place_at(cloth, *pin, time);
+    pin->motion = -1;
+    pin->can_move = cloth.pins_led = true;
+    pin->way.give(set_out, place);
+  }
+  if (changes) api::wake(cloth);
+  if (cloth.pins.size() != pins_before) dirty = true;
+  return Status::ok;
+}
+
 Status World::move_pins(ClothId id, View<uint32_t> vertices, PointView targets) noexcept {
   const api::CallGuard guard(impl_);
   if (!guard) return guard.status();
@@ -245,34 +330,7 @@ Status World::move_pins(ClothId id, View<uint32_t> vertices, PointView targets) 
           text("targets has %u elements (vertices has %u) give one target per vertex",
                targets.count, vertices.count));
     }
-    std::vector<double3> now;
-    if (vertices.count > 0) {
-      const Status status = impl_->ensure_readable();
-      if (status != Status::ok) return status;
-      if (const Status read = impl_->arena->read(*cloth, api::StateArray::position, now);
-          read != Status::ok) {
-        return read;
-      }
-    }
-    api::wake(*cloth);
-    cloth->pins.reserve(cloth->pins.size() + vertices.count);
-    for (uint32_t i = 0; i < vertices.count; ++i) {
-      const uint32_t v = vertices[i];
-      auto at = std::lower_bound(cloth->pins.begin(), cloth->pins.end(), v,
-                                 [](const api::PinRecord& p, uint32_t x) { return p.vertex < x; });
-      if (at == cloth->pins.end() || at->vertex != v) {
-        at = cloth->pins.insert(at, api::PinRecord{});
-        at->vertex = v;
-        cloth->repinned();
-      }
-      if (!at->can_move) impl_->dirty = true;
-      at->can_move = at->gliding = true;
-      at->motion = -1;
-      at->base = {cloth->origin.x + now[v].x, cloth->origin.y + now[v].y,
-                  cloth->origin.z + now[v].z};
-      at->target = targets[i];
-    }
-    return Status::ok;
+    return impl_->lead_pins(*cloth, vertices, targets);
   });
 }
 
@@ -305,11 +363,17 @@ Status World::release_pins(ClothId id, View<uint32_t> vertices) noexcept {
   if (!cloth) return impl_->stale("cloth", id.index);
   return api::guarded(*impl_->context, [&] {
     check_vertices(*cloth, vertices, true);
+    if (vertices.count == 0) return Status::ok;
+    std::pmr::vector<uint32_t> sorted(&impl_->context->memory);
+    sorted.reserve(vertices.count);
+    for (uint32_t i = 0; i < vertices.count; ++i) sorted.push_back(vertices[i]);
+    std::sort(sorted.begin(), sorted.end());
     api::wake(*cloth);
-    for (uint32_t i = 0; i < vertices.count; ++i) {
-      const auto* pin = cloth->pin_of(vertices[i]);
-      if (pin) cloth->pins.erase(cloth->pins.begin() + (pin - cloth->pins.data()));
-    }
+    const auto released = [&](const api::PinRecord& pin) {
+      return std::binary_search(sorted.begin(), sorted.end(), pin.vertex);
+    };
+    cloth->pins.erase(std::remove_if(cloth->pins.begin(), cloth->pins.end(), released),
+                      cloth->pins.end());
     cloth->repinned();
     impl_->dirty = true;
     return Status::ok;

@@ -1,32 +1,56 @@
-// Texts for people: `<problem> (<why it is a problem>) <what to do>`. Host code only.
+// Texts for people: `<problem> (<why it is a problem>) <what to do>`. Host code only. They take no
+// memory, so that there is a text where there is none.
 #pragma once
 
 #include <cstdarg>
 #include <cstdio>
-#include <stdexcept>
+#include <exception>
 #include <string>
+
+#include "base/host_memory.h"
 
 namespace weft {
 
-/// printf into a string.
-[[gnu::format(printf, 1, 2)]] inline std::string text(const char* format, ...) {
+/// A text of at most 511 characters; what is longer is cut.
+class Text {
+ public:
+  Text() noexcept { at_[0] = '\0'; }
+  Text(const char* words) noexcept { std::snprintf(at_, sizeof at_, "%s", words); }
+
+  const char* c_str() const noexcept { return at_; }
+  bool empty() const noexcept { return at_[0] == '\0'; }
+  /// For those who may ask for memory.
+  operator String() const { return at_; }
+  operator std::string() const { return at_; }
+
+  [[gnu::format(printf, 1, 0)]] static Text format(const char* format, va_list args) noexcept {
+    Text out;
+    std::vsnprintf(out.at_, sizeof out.at_, format, args);
+    return out;
+  }
+
+ private:
+  char at_[512];
+};
+
+/// printf into a text.
+[[gnu::format(printf, 1, 2)]] inline Text text(const char* format, ...) noexcept {
   va_list args;
   va_start(args, format);
-  va_list again;
-  va_copy(again, args);
-  const int length = std::vsnprintf(nullptr, 0, format, args);
+  const Text out = Text::format(format, args);
   va_end(args);
-  std::string out(static_cast<size_t>(length > 0 ? length : 0), '\0');
-  std::vsnprintf(out.data(), out.size() + 1, format, again);
-  va_end(again);
   return out;
 }
 
 /// Thrown inside the library for input that cannot be used; becomes Status::invalid_argument and a
 /// log message at the public interface.
-class InvalidInput : public std::runtime_error {
+class InvalidInput : public std::exception {
  public:
-  using std::runtime_error::runtime_error;
+  explicit InvalidInput(const Text& words) noexcept : words_(words) {}
+  const char* what() const noexcept override { return words_.c_str(); }
+
+ private:
+  Text words_;
 };
 
 }  // namespace weft

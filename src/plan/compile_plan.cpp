@@ -79,7 +79,7 @@ void add_hub_pass(const WorldShape& world, Plan& plan) {
     flops += of_cloth * (scatters(c.kind) ? sum_flops : spring_flops);
   }
   plan.passes.push_back({"hubs", "substep",
-                         std::string("hub_chunks") +
+                         String("hub_chunks") +
                              (world.precision == Precision::float64 ? "_float64" : "_float32"),
                          static_cast<uint64_t>(springs), bytes / springs, flops / springs});
 }
@@ -98,8 +98,8 @@ void add_spring_passes(const WorldShape& world, Plan& plan) {
     s.edges += of.edges;
     s.in_hubs += of.in_hubs;
   }
-  const std::string suffix =
-      std::string(world.precision == Precision::float64 ? "_float64" : "_float32") + " " +
+  const String suffix =
+      String(world.precision == Precision::float64 ? "_float64" : "_float32") + " " +
       name_of(world.accumulation);
   if (s.edges > 0) {
     const bool damped = s.damped_springs > 0;
@@ -159,13 +159,13 @@ Pass advance_pass(const WorldShape& world, KernelKind kind) {
   }
   bytes += (6 * scalar + 4) * static_cast<double>(s.pinned) / n;
 
-  std::string name = kernel_name(kind);
+  String name = kernel_name(kind);
   name += world.precision == Precision::float64 ? "_float64" : "_float32";
   if (world.position_form) name += " position";
   for (int k = 0; k < part_count; ++k) {
     if (s.with_part[k] == 0) continue;
     const PartCost& part = world.parts[k];
-    name += std::string(" +") + part.name;
+    name += String(" +") + part.name;
     bytes += part.bytes * static_cast<double>(s.with_part[k]) / n;
     flops += part.flops * static_cast<double>(s.with_part[k]) / n;
   }
@@ -173,7 +173,7 @@ Pass advance_pass(const WorldShape& world, KernelKind kind) {
   if (s.damped_springs > 0) name += " +spring_damping";
   if (s.dragged > 0) name += " +drag";
   for (int k = 0; k < collider_shapes; ++k) {
-    if (world.colliders[k] > 0) name += std::string(" +") + shapes[k].name + "_colliders";
+    if (world.colliders[k] > 0) name += String(" +") + shapes[k].name + "_colliders";
   }
   if (s.pinned > 0) name += " +moving_pins";
   return {"advance", "substep", name, s.particles, bytes, flops};

@@ -71,8 +71,8 @@ void note(const WorldShape& world, const ClothShape& cloth, const ClothCounts& o
 
 }  // namespace
 
-std::vector<ClothCounts> places_of(const WorldShape& world) {
-  std::vector<ClothCounts> places(1);
+Vector<ClothCounts> places_of(const WorldShape& world) {
+  Vector<ClothCounts> places(1);
   places[0].motions = 1;
   for (const ClothShape& cloth : world.cloths) {
     places.push_back(places.back());

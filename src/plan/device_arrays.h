@@ -1,8 +1,7 @@
 // The device memory of a world: what kernels see, and what the host keeps beside it.
 #pragma once
 
-#include <vector>
-
+#include "base/host_memory.h"
 #include "plan/cutter.h"
 #include "plan/shape.h"
 
@@ -12,7 +11,7 @@ template <class T>
 struct DeviceArrays {
   Simulation<T> sim{};
   Vec3Array<T> before{};                ///< positions before the last frame
-  std::vector<TriangleGrid<T>> meshes;  ///< in the order of WorldShape::meshes
+  Vector<TriangleGrid<T>> meshes;  ///< in the order of WorldShape::meshes
   size_t bytes = 0;
 };
 

@@ -1,8 +1,7 @@
 // What a world's cloths need, in numbers: all that a plan depends on.
 #pragma once
 
-#include <vector>
-
+#include "base/host_memory.h"
 #include "state/simulation.h"
 #include "weft/core.hpp"
 
@@ -41,11 +40,11 @@ struct WorldShape {
   bool position_form = false;
   Accumulation accumulation = Accumulation::native;  ///< of the cloths that scatter
   double full_scale = 1;                             ///< of fixed8, in largest spring forces
-  std::vector<ClothShape> cloths;
+  Vector<ClothShape> cloths;
   PartCost parts[part_count] = {};
   uint32_t colliders[collider_shapes] = {};  ///< by ColliderShape
   uint32_t turning_colliders = 0;
-  std::vector<GridCounts> meshes;  ///< each that a collider uses, once
+  Vector<GridCounts> meshes;  ///< each that a collider uses, once
   bool interpolate = false;        ///< positions before a frame are kept
   bool wind = false;
   bool normals = false;   ///< of meshes: grids need nothing for theirs
@@ -60,7 +59,7 @@ constexpr bool scatters(KernelKind kind) {
 }
 
 /// Where the elements of each cloth begin in the arrays; one more entry than cloths: the whole.
-std::vector<ClothCounts> places_of(const WorldShape&);
+Vector<ClothCounts> places_of(const WorldShape&);
 Counts counts_of(const WorldShape&);
 
 }  // namespace weft::plan

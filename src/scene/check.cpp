@@ -113,7 +113,7 @@ static double triangle_area(const CookedFabric& fabric, const uint32_t* v) {
 /// A third of each triangle's mass to each of its vertices; the mean to vertices without triangle.
 static void set_masses_by_density(double density, CookedFabric& fabric) {
   fabric.masses.assign(fabric.vertices, 0.0);
-  std::vector<bool> touched(fabric.vertices, false);
+  Vector<bool> touched(fabric.vertices, false);
   const uint64_t count = triangle_count(fabric);
   for (uint64_t t = 0; t < count; ++t) {
     uint32_t v[3];

@@ -71,10 +71,10 @@ void check_indices(const ColliderMeshDesc& desc) {
 }
 
 /// Checked twice: as given, and scaled.
-std::vector<double3> scaled_positions(const ColliderMeshDesc& desc) {
+Vector<double3> scaled_positions(const ColliderMeshDesc& desc) {
   check_positions(desc.positions, "positions");
   check_positive(desc.scale, "scale");
-  std::vector<double3> scaled(desc.positions.count);
+  Vector<double3> scaled(desc.positions.count);
   for (uint32_t v = 0; v < desc.positions.count; ++v) {
     const double3 x = desc.positions[v];
     scaled[v] = {x.x * desc.scale, x.y * desc.scale, x.z * desc.scale};
@@ -113,13 +113,13 @@ bool add_triangle(const Point (&corner)[3], CookedColliderMesh& mesh) {
 }
 
 /// Returns the vertices of the triangles that it keeps.
-std::vector<uint32_t> add_triangles(const ColliderMeshDesc& desc,
-                                    const std::vector<double3>& positions,
+Vector<uint32_t> add_triangles(const ColliderMeshDesc& desc,
+                                    const Vector<double3>& positions,
                                     CookedColliderMesh& mesh) {
   const uint32_t given = desc.indices.count / 3;
   mesh.planes.reserve(size_t(given) * 16);
   mesh.corners.reserve(size_t(given) * 9);
-  std::vector<uint32_t> vertex;
+  Vector<uint32_t> vertex;
   vertex.reserve(desc.indices.count);
   uint32_t flat = 0, first_flat = 0;
   for (uint32_t t = 0; t < given; ++t) {
@@ -149,7 +149,7 @@ std::vector<uint32_t> add_triangles(const ColliderMeshDesc& desc,
 }  // namespace
 
 /// The way of a fast particle through the mesh is walked in a bounded number of pieces.
-static void check_extent(const std::vector<double3>& positions, double thickness) {
+static void check_extent(const Vector<double3>& positions, double thickness) {
   constexpr double most_thicknesses = 1 << 19;
   double3 low = positions[0], high = positions[0];
   for (const double3& p : positions) {
@@ -168,14 +168,14 @@ static void check_extent(const std::vector<double3>& positions, double thickness
 void cook_collider_mesh(const ColliderMeshDesc& desc, CookedColliderMesh& mesh) {
   check_positive(desc.thickness, "thickness");
   check_indices(desc);
-  const std::vector<double3> positions = scaled_positions(desc);
+  const Vector<double3> positions = scaled_positions(desc);
   mesh.thickness = desc.thickness;
   mesh.closed = desc.closed;
-  const std::vector<uint32_t> vertex = add_triangles(desc, positions, mesh);
+  const Vector<uint32_t> vertex = add_triangles(desc, positions, mesh);
   check_extent(positions, desc.thickness);
   if (desc.closed) {
-    const std::vector<uint32_t> welded = weld(positions);
-    std::vector<uint32_t> given(desc.indices.count);
+    const Vector<uint32_t> welded = weld(positions);
+    Vector<uint32_t> given(desc.indices.count);
     for (uint32_t i = 0; i < desc.indices.count; ++i) given[i] = desc.indices[i];
     check_closed(positions, welded, given);
     set_sides(welded, vertex, mesh);

@@ -1,6 +1,7 @@
 // What cooking makes of a triangle mesh that particles collide with. Host data in double.
 #pragma once
 
+#include "base/host_memory.h"
 #include "scene/fabric.h"
 
 namespace weft::scene {
@@ -30,7 +31,7 @@ struct CookedColliderMesh {
   Array<double> corners;  ///< 9 per triangle
   Array<double> sides;    ///< 18 per triangle; empty unless closed
 
-  std::vector<CookedDiagnostic> diagnostics;
+  Vector<CookedDiagnostic> diagnostics;
 };
 
 void cook_collider_mesh(const ColliderMeshDesc&, CookedColliderMesh&);

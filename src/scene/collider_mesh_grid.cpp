@@ -47,13 +47,13 @@ class GridBuilder {
   void fill();
 
  private:
-  void descend(const Box&, const std::vector<Candidate>& around, Point around_centre, size_t depth);
-  double measure(const std::vector<Candidate>& around, Point way, double diagonal, Point centre,
-                 std::vector<Candidate>& list) const;
+  void descend(const Box&, const Vector<Candidate>& around, Point around_centre, size_t depth);
+  double measure(const Vector<Candidate>& around, Point way, double diagonal, Point centre,
+                 Vector<Candidate>& list) const;
   Candidate measured(int32_t triangle, Point centre) const;
-  void drop_dominated(std::vector<Candidate>& list, Point centre, Point half, int rounds);
+  void drop_dominated(Vector<Candidate>& list, Point centre, Point half, int rounds);
   bool is_inside(int32_t triangle, Point x) const;
-  void store_list(const Box&, std::vector<Candidate>& list);
+  void store_list(const Box&, Vector<Candidate>& list);
   void store_deep(const Box&, int32_t triangle);
   void renumber();
   size_t cell_number(int i, int j, int k) const {
@@ -62,7 +62,7 @@ class GridBuilder {
 
   CookedColliderMesh& mesh_;
   double slack_ = 0;  ///< of a position in float within the grid
-  std::vector<std::vector<Candidate>> lists_;
+  Vector<Vector<Candidate>> lists_;
 };
 
 /// Through memory: g++ 12 drops the round trip of two neighbouring numbers at -O2.
@@ -124,8 +124,8 @@ Candidate GridBuilder::measured(int32_t triangle, Point centre) const {
 }
 
 /// Fills `list` with those that can be nearest somewhere in the box; returns the least distance.
-double GridBuilder::measure(const std::vector<Candidate>& around, Point way, double diagonal,
-                            Point centre, std::vector<Candidate>& list) const {
+double GridBuilder::measure(const Vector<Candidate>& around, Point way, double diagonal,
+                            Point centre, Vector<Candidate>& list) const {
   const auto bound = [&](const Candidate& c) { return c.distance + dot(c.gradient, way); };
   size_t first = 0;
   for (size_t c = 1; c < around.size(); ++c) {
@@ -145,7 +145,7 @@ double GridBuilder::measure(const std::vector<Candidate>& around, Point way, dou
 }
 
 /// The nearest candidates, one per round, take away what they dominate.
-void GridBuilder::drop_dominated(std::vector<Candidate>& list, Point centre, Point half,
+void GridBuilder::drop_dominated(Vector<Candidate>& list, Point centre, Point half,
                                  int rounds) {
   const auto before = [](const Candidate& a, const Candidate& b) {
     return a.distance != b.distance ? a.distance < b.distance : a.triangle < b.triangle;
@@ -185,7 +185,7 @@ bool GridBuilder::is_inside(int32_t triangle, Point x) const {
   return dot(x - near.point, normal) < 0;
 }
 
-void GridBuilder::descend(const Box& box, const std::vector<Candidate>& around, Point around_centre,
+void GridBuilder::descend(const Box& box, const Vector<Candidate>& around, Point around_centre,
                           size_t depth) {
   const double size = mesh_.cell_size;
   const double3 low = mesh_.grid_low;
@@ -197,7 +197,7 @@ void GridBuilder::descend(const Box& box, const std::vector<Candidate>& around, 
                    0.5 * size * (box.high[2] - box.low[2]) + slack_};
   const double diagonal = 2 * length(half) + slack_;
   if (lists_.size() <= depth) lists_.resize(depth + 1);
-  std::vector<Candidate> list = std::move(lists_[depth]);
+  Vector<Candidate> list = std::move(lists_[depth]);
   const double least = measure(around, centre - around_centre, diagonal, centre, list);
   if (least > mesh_.thickness + 0.5 * diagonal + slack_) {
     if (mesh_.closed) {
@@ -223,7 +223,7 @@ void GridBuilder::descend(const Box& box, const std::vector<Candidate>& around, 
   lists_[depth] = std::move(list);
 }
 
-void GridBuilder::store_list(const Box& box, std::vector<Candidate>& list) {
+void GridBuilder::store_list(const Box& box, Vector<Candidate>& list) {
   std::sort(list.begin(), list.end(), [](const Candidate& a, const Candidate& b) {
     return a.distance != b.distance ? a.distance < b.distance : a.triangle < b.triangle;
   });
@@ -251,7 +251,7 @@ void GridBuilder::store_deep(const Box& box, int32_t triangle) {
 
 /// Numbers the triangles as the lists come to them, so that those of a cell lie together.
 void GridBuilder::renumber() {
-  std::vector<int32_t> number(mesh_.triangles, -1), old;
+  Vector<int32_t> number(mesh_.triangles, -1), old;
   old.reserve(mesh_.triangles);
   const auto numbered = [&](int32_t triangle) {
     int32_t& n = number[size_t(triangle)];
@@ -270,7 +270,7 @@ void GridBuilder::renumber() {
        {std::pair{&mesh_.planes, size_t(16)}, std::pair{&mesh_.corners, size_t(9)},
         std::pair{&mesh_.sides, size_t(18)}}) {
     if (values->empty()) continue;
-    const std::vector<double> before(values->begin(), values->end());
+    const Vector<double> before(values->begin(), values->end());
     for (size_t t = 0; t < old.size(); ++t) {
       std::copy_n(before.begin() + std::ptrdiff_t(size_t(old[t]) * per_triangle), per_triangle,
                   values->begin() + std::ptrdiff_t(t * per_triangle));
@@ -281,7 +281,7 @@ void GridBuilder::renumber() {
 void GridBuilder::fill() {
   const Box all{{0, 0, 0}, {mesh_.cells[0], mesh_.cells[1], mesh_.cells[2]}};
   mesh_.cell_start.assign(size_t(all.size()), no_list);
-  std::vector<Candidate> list(mesh_.triangles);
+  Vector<Candidate> list(mesh_.triangles);
   for (uint32_t t = 0; t < mesh_.triangles; ++t) list[t] = {int32_t(t), 0, {0, 0, 0}};
   descend(all, list, {0, 0, 0}, 0);
   renumber();

@@ -1,6 +1,7 @@
 // The parts of cook_collider_mesh.
 #pragma once
 
+#include "base/host_memory.h"
 #include "base/vec3.h"
 #include "scene/collider_mesh.h"
 
@@ -22,14 +23,14 @@ struct NearestPoint {
 NearestPoint nearest_point(const double* corners, Point x);
 
 /// Vertices in one place have one number: that of the first of them.
-std::vector<uint32_t> weld(const std::vector<double3>& positions);
+Vector<uint32_t> weld(const Vector<double3>& positions);
 
 /// Checks that the triangles, of welded vertices, enclose something; `vertex` holds 3 of the
 /// caller's numbers per triangle.
-void check_closed(const std::vector<double3>& positions, const std::vector<uint32_t>& welded,
-                  const std::vector<uint32_t>& vertex);
+void check_closed(const Vector<double3>& positions, const Vector<uint32_t>& welded,
+                  const Vector<uint32_t>& vertex);
 /// Fills `sides`; `vertex` holds those of the kept triangles.
-void set_sides(const std::vector<uint32_t>& welded, const std::vector<uint32_t>& vertex,
+void set_sides(const Vector<uint32_t>& welded, const Vector<uint32_t>& vertex,
                CookedColliderMesh&);
 
 /// Fills the grid and its lists.

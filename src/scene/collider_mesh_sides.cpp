@@ -27,9 +27,9 @@ struct Side {
 uint32_t next_corner(uint32_t corner) { return corner % 3 == 2 ? corner - 2 : corner + 1; }
 
 /// Sorted by edge, without those of triangles that are in one place twice: they close nothing.
-std::vector<Side> sorted_sides(const std::vector<uint32_t>& welded,
-                               const std::vector<uint32_t>& vertex) {
-  std::vector<Side> sides;
+Vector<Side> sorted_sides(const Vector<uint32_t>& welded,
+                               const Vector<uint32_t>& vertex) {
+  Vector<Side> sides;
   sides.reserve(vertex.size());
   for (uint32_t c = 0; c < vertex.size(); ++c) {
     const uint32_t next = next_corner(c);
@@ -42,7 +42,7 @@ std::vector<Side> sorted_sides(const std::vector<uint32_t>& welded,
   return sides;
 }
 
-size_t end_of_edge(const std::vector<Side>& sides, size_t first) {
+size_t end_of_edge(const Vector<Side>& sides, size_t first) {
   size_t end = first + 1;
   while (end < sides.size() && sides[end].low == sides[first].low &&
          sides[end].high == sides[first].high) {
@@ -52,7 +52,7 @@ size_t end_of_edge(const std::vector<Side>& sides, size_t first) {
 }
 
 /// The sides of one edge.
-void check_edge(const Side* side, size_t count, const std::vector<uint32_t>& vertex) {
+void check_edge(const Side* side, size_t count, const Vector<uint32_t>& vertex) {
   const uint32_t a = vertex[side[0].corner], b = vertex[next_corner(side[0].corner)];
   if (count == 1) {
     throw InvalidInput(
@@ -103,8 +103,8 @@ void store_side(Point sum, uint32_t triangle, uint32_t feature, CookedColliderMe
 
 }  // namespace
 
-std::vector<uint32_t> weld(const std::vector<double3>& positions) {
-  std::vector<uint32_t> order(positions.size()), welded(positions.size());
+Vector<uint32_t> weld(const Vector<double3>& positions) {
+  Vector<uint32_t> order(positions.size()), welded(positions.size());
   std::iota(order.begin(), order.end(), 0u);
   const auto before = [&](uint32_t v, uint32_t w) {
     const double3 a = positions[v], b = positions[w];
@@ -120,9 +120,9 @@ std::vector<uint32_t> weld(const std::vector<double3>& positions) {
   return welded;
 }
 
-void check_closed(const std::vector<double3>& positions, const std::vector<uint32_t>& welded,
-                  const std::vector<uint32_t>& vertex) {
-  const std::vector<Side> sides = sorted_sides(welded, vertex);
+void check_closed(const Vector<double3>& positions, const Vector<uint32_t>& welded,
+                  const Vector<uint32_t>& vertex) {
+  const Vector<Side> sides = sorted_sides(welded, vertex);
   for (size_t first = 0; first < sides.size();) {
     const size_t end = end_of_edge(sides, first);
     check_edge(&sides[first], end - first, vertex);
@@ -148,10 +148,10 @@ void check_closed(const std::vector<double3>& positions, const std::vector<uint3
   }
 }
 
-void set_sides(const std::vector<uint32_t>& welded, const std::vector<uint32_t>& vertex,
+void set_sides(const Vector<uint32_t>& welded, const Vector<uint32_t>& vertex,
                CookedColliderMesh& mesh) {
   mesh.sides.resize(vertex.size() * 6);
-  const std::vector<Side> sides = sorted_sides(welded, vertex);
+  const Vector<Side> sides = sorted_sides(welded, vertex);
   for (size_t first = 0; first < sides.size();) {
     const size_t end = end_of_edge(sides, first);
     Point sum{0, 0, 0};
@@ -161,7 +161,7 @@ void set_sides(const std::vector<uint32_t>& welded, const std::vector<uint32_t>&
     }
     first = end;
   }
-  std::vector<Point> of_vertex(welded.size(), Point{0, 0, 0});
+  Vector<Point> of_vertex(welded.size(), Point{0, 0, 0});
   for (uint32_t c = 0; c < vertex.size(); ++c) {
     Point& sum = of_vertex[welded[vertex[c]]];
     sum = sum + angle_at(mesh, c) * normal_of(mesh, c / 3);

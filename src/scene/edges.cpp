@@ -10,9 +10,9 @@ namespace {
 
 /// The springs of one vertex after the other, neighbours ascending in the caller's order.
 struct Rows {
-  std::vector<uint64_t> start;  ///< by caller index, and one more
-  std::vector<uint32_t> neighbour;
-  std::vector<uint8_t> stencil;  ///< grids: which neighbour of the stencil
+  Vector<uint64_t> start;  ///< by caller index, and one more
+  Vector<uint32_t> neighbour;
+  Vector<uint8_t> stencil;  ///< grids: which neighbour of the stencil
 };
 
 Rows rows_of_grid(const CookedFabric& fabric) {
@@ -47,9 +47,9 @@ uint32_t caller_of(const CookedFabric& fabric, uint32_t storage) {
   return fabric.is_grid ? storage : fabric.caller_of[storage];
 }
 
-std::vector<int64_t> slices_of_grid(const CookedFabric& fabric) {
+Vector<int64_t> slices_of_grid(const CookedFabric& fabric) {
   const StencilTable& table = stencil_table(fabric.grid.stencil);
-  std::vector<int64_t> start{0};
+  Vector<int64_t> start{0};
   int width = 0;
   for (uint32_t v = 0; v < fabric.vertices; ++v) {
     const int64_t row = v / fabric.grid.columns, column = v % fabric.grid.columns;
@@ -132,7 +132,7 @@ class Builder {
 
   const CookedFabric& fabric_;
   Rows rows_;
-  std::vector<int32_t> edge_of_;  ///< by entry, where the vertex is end a
+  Vector<int32_t> edge_of_;  ///< by entry, where the vertex is end a
   Edges out_;
 };
 

@@ -2,6 +2,7 @@
 // (state/edges.h).
 #pragma once
 
+#include "base/host_memory.h"
 #include "scene/fabric.h"
 
 namespace weft::scene {
@@ -12,10 +13,10 @@ struct Edge {
 };
 
 struct Edges {
-  std::vector<Edge> edges;  ///< ascending (a, order in its row)
+  Vector<Edge> edges;  ///< ascending (a, order in its row)
   // Sliced rows: e where the vertex is end a of edge e, ~e where it is end b, and padding(*this).
-  std::vector<int64_t> slice_start;
-  std::vector<int32_t> incident;
+  Vector<int64_t> slice_start;
+  Vector<int32_t> incident;
 };
 
 /// A spring without force: the filling of short rows, behind the last of the edges.

@@ -4,8 +4,8 @@
 
 #include <memory_resource>
 #include <string>
-#include <vector>
 
+#include "base/host_memory.h"
 #include "base/portability.h"
 #include "weft/fabric.hpp"
 
@@ -42,7 +42,7 @@ struct HubRow {
 struct CookedDiagnostic {
   Severity severity;
   uint32_t element;
-  std::string text;
+  String text;
 };
 
 struct CookedFabric {
@@ -82,7 +82,7 @@ struct CookedFabric {
   Array<uint32_t> particle_of;
   Array<uint32_t> storage_of_render;
 
-  std::vector<CookedDiagnostic> diagnostics;
+  Vector<CookedDiagnostic> diagnostics;
 
   uint32_t render_vertices() const {
     return particle_of.empty() ? vertices : static_cast<uint32_t>(particle_of.size());

@@ -5,11 +5,11 @@
 namespace weft::scene {
 
 /// Entries per slice: 32 times the most triangles that meet in one of its vertices.
-static std::vector<int64_t> slice_starts(const CookedFabric& fabric, std::vector<int32_t>& count) {
+static Vector<int64_t> slice_starts(const CookedFabric& fabric, Vector<int32_t>& count) {
   count.assign(fabric.vertices, 0);
   for (const uint32_t v : fabric.triangles) ++count[fabric.storage_of[v]];
   const size_t slices = (size_t(fabric.vertices) + block_size - 1) / block_size;
-  std::vector<int64_t> start(slices + 1, 0);
+  Vector<int64_t> start(slices + 1, 0);
   for (size_t s = 0; s < slices; ++s) {
     const auto first = count.begin() + static_cast<std::ptrdiff_t>(s * block_size);
     const size_t rows = std::min<size_t>(block_size, fabric.vertices - s * block_size);
@@ -21,13 +21,13 @@ static std::vector<int64_t> slice_starts(const CookedFabric& fabric, std::vector
 
 int64_t fan_entries(const CookedFabric& fabric) {
   if (fabric.is_grid || fabric.triangles.empty()) return 0;
-  std::vector<int32_t> count;
+  Vector<int32_t> count;
   return slice_starts(fabric, count).back();
 }
 
 Fans build_fans(const CookedFabric& fabric) {
   Fans fans;
-  std::vector<int32_t> count;
+  Vector<int32_t> count;
   fans.slice_start = slice_starts(fabric, count);
   const auto entries = static_cast<size_t>(fans.slice_start.back());
   fans.next.resize(entries);

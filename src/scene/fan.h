@@ -1,15 +1,16 @@
 // Triangles around the vertices of a mesh, as sliced rows in storage order (state/triangles.h).
 #pragma once
 
+#include "base/host_memory.h"
 #include "scene/fabric.h"
 
 namespace weft::scene {
 
 struct Fans {
-  std::vector<int64_t> slice_start;  ///< per slice of 32 and one more: first entry
+  Vector<int64_t> slice_start;  ///< per slice of 32 and one more: first entry
   /// Storage indices of the other two corners, in the triangle's sense; padded by the vertex
   /// itself.
-  std::vector<int32_t> next, last;
+  Vector<int32_t> next, last;
 };
 Fans build_fans(const CookedFabric&);
 /// Entries that build_fans would make, without making them; 0 without triangles.

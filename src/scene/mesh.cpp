@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "base/message_host.h"
+#include "base/stable_sort.h"
 #include "scene/check.h"
 #include "scene/rows.h"
 #include "scene/weld.h"
@@ -43,8 +44,8 @@ void check_triangles(const MeshDesc& desc) {
   }
 }
 
-std::vector<TriangleSide> sorted_sides(const MeshDesc& desc) {
-  std::vector<TriangleSide> sides;
+Vector<TriangleSide> sorted_sides(const MeshDesc& desc) {
+  Vector<TriangleSide> sides;
   sides.reserve(desc.indices.count);
   for (uint32_t t = 0; t < desc.indices.count / 3; ++t) {
     for (uint32_t c = 0; c < 3; ++c) {
@@ -57,7 +58,7 @@ std::vector<TriangleSide> sorted_sides(const MeshDesc& desc) {
 }
 
 /// Adds `bend` springs to the sorted stretch springs; where both exist the stretch spring stays.
-void merge_bend(std::vector<SpringRecord>& springs, std::vector<SpringRecord>& bend,
+void merge_bend(Vector<SpringRecord>& springs, Vector<SpringRecord>& bend,
                 CookedFabric& fabric) {
   const auto before = [](const SpringRecord& x, const SpringRecord& y) {
     return x.a != y.a ? x.a < y.a : x.b < y.b;
@@ -67,7 +68,7 @@ void merge_bend(std::vector<SpringRecord>& springs, std::vector<SpringRecord>& b
   };
   const size_t whole = springs.size() + bend.size();
   springs.insert(springs.end(), bend.begin(), bend.end());
-  std::stable_sort(springs.begin(), springs.end(), before);
+  weft::stable_sort(springs.begin(), springs.end(), before);
   springs.erase(std::unique(springs.begin(), springs.end(), same), springs.end());
   if (springs.size() < whole) {
     fabric.diagnostics.push_back(
@@ -79,7 +80,7 @@ void merge_bend(std::vector<SpringRecord>& springs, std::vector<SpringRecord>& b
 
 /// Masses by density come with a message of their own.
 void tell_of_loose_vertices(CookedFabric& fabric) {
-  std::vector<bool> held(fabric.vertices, false);
+  Vector<bool> held(fabric.vertices, false);
   for (const uint32_t v : fabric.triangles) held[v] = true;
   const auto loose = std::count(held.begin(), held.end(), false);
   if (loose == 0) return;
@@ -93,7 +94,7 @@ void tell_of_loose_vertices(CookedFabric& fabric) {
 }
 
 /// As at the poles of a globe that was written point by point.
-void tell_of_springs_without_length(const MeshDesc& desc, const std::vector<SpringRecord>& springs,
+void tell_of_springs_without_length(const MeshDesc& desc, const Vector<SpringRecord>& springs,
                                     CookedFabric& fabric) {
   const auto length = [&](const SpringRecord& s) {
     const double3 a = desc.positions[s.a], b = desc.positions[s.b];
@@ -119,8 +120,8 @@ void cook_checked(const MeshDesc& desc, CookedFabric& fabric) {
   fabric.triangles.resize(desc.indices.count);
   for (uint32_t i = 0; i < desc.indices.count; ++i) fabric.triangles[i] = desc.indices[i];
 
-  const std::vector<TriangleSide> sides = sorted_sides(desc);
-  std::vector<SpringRecord> springs, bend;
+  const Vector<TriangleSide> sides = sorted_sides(desc);
+  Vector<SpringRecord> springs, bend;
   for (size_t first = 0; first < sides.size();) {
     size_t end = first + 1;
     while (end < sides.size() && sides[end].a == sides[first].a && sides[end].b == sides[first].b) {

@@ -2,6 +2,7 @@
 #include <numeric>
 
 #include "base/message_host.h"
+#include "base/stable_sort.h"
 #include "scene/check.h"
 #include "scene/rows.h"
 
@@ -38,19 +39,19 @@ void cook_network(const NetworkDesc& desc, CookedFabric& fabric) {
   fabric.stiffness = desc.material.stiffness;
   fabric.rest_length = desc.material.rest_length;
 
-  std::vector<SpringRecord> all;
+  Vector<SpringRecord> all;
   all.reserve(desc.springs.count);
   for (uint32_t i = 0; i < desc.springs.count; ++i) {
     const Spring& s = desc.springs[i];
     check_spring(s, i, desc.positions.count);
     all.push_back({std::min(s.a, s.b), std::max(s.a, s.b), s.stiffness, s.rest_length});
   }
-  std::vector<uint32_t> order(all.size());
+  Vector<uint32_t> order(all.size());
   std::iota(order.begin(), order.end(), 0u);
-  std::stable_sort(order.begin(), order.end(), [&](uint32_t x, uint32_t y) {
+  weft::stable_sort(order.begin(), order.end(), [&](uint32_t x, uint32_t y) {
     return all[x].a != all[y].a ? all[x].a < all[y].a : all[x].b < all[y].b;
   });
-  std::vector<SpringRecord> springs;
+  Vector<SpringRecord> springs;
   springs.reserve(all.size());
   uint32_t repeats = 0, first = 0;
   for (const uint32_t i : order) {

@@ -1,11 +1,12 @@
 #include <algorithm>
 #include <numeric>
 
+#include "base/stable_sort.h"
 #include "scene/rows.h"
 
 namespace weft::scene {
 
-uint32_t build_rows(const std::vector<SpringRecord>& springs, CookedFabric& fabric) {
+uint32_t build_rows(const Vector<SpringRecord>& springs, CookedFabric& fabric) {
   SpringRows& rows = fabric.rows;
   fabric.springs = springs.size();
   rows.start.assign(size_t(fabric.vertices) + 1, 0);
@@ -21,8 +22,8 @@ uint32_t build_rows(const std::vector<SpringRecord>& springs, CookedFabric& fabr
   struct RowEntry {
     uint32_t neighbour, spring;
   };
-  std::vector<RowEntry> entries(2 * springs.size());
-  std::vector<uint64_t> next(rows.start.begin(), rows.start.end());
+  Vector<RowEntry> entries(2 * springs.size());
+  Vector<uint64_t> next(rows.start.begin(), rows.start.end());
   for (uint32_t s = 0; s < springs.size(); ++s) {
     entries[next[springs[s].a]++] = {springs[s].b, s};
     entries[next[springs[s].b]++] = {springs[s].a, s};
@@ -50,7 +51,7 @@ uint32_t build_rows(const std::vector<SpringRecord>& springs, CookedFabric& fabr
 static uint32_t breadth_first(const CookedFabric& fabric, Array<uint32_t>& order) {
   uint32_t pieces = 0;
   const SpringRows& rows = fabric.rows;
-  std::vector<bool> seen(fabric.vertices, false);
+  Vector<bool> seen(fabric.vertices, false);
   order.clear();
   order.reserve(fabric.vertices);
   for (uint32_t root = 0; root < fabric.vertices; ++root) {
@@ -108,7 +109,7 @@ uint32_t order_rows(CookedFabric& fabric) {
   const uint32_t pieces = breadth_first(fabric, order);
   for (size_t first = 0; first < order.size(); first += window) {
     const size_t end = std::min(first + window, order.size());
-    std::stable_sort(order.begin() + static_cast<std::ptrdiff_t>(first),
+    weft::stable_sort(order.begin() + static_cast<std::ptrdiff_t>(first),
                      order.begin() + static_cast<std::ptrdiff_t>(end), [&](uint32_t a, uint32_t b) {
                        return sliced_width(fabric.rows, a) > sliced_width(fabric.rows, b);
                      });

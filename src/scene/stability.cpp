@@ -46,7 +46,7 @@ class BoundSearch {
 
   /// The largest sum of 2 A by the mass of a vertex, 1/kg m^2.
   double largest_area_by_mass() const {
-    std::vector<double> sum(fabric_.vertices, 0);
+    Vector<double> sum(fabric_.vertices, 0);
     uint32_t v[3];
     for (uint64_t t = 0; t < triangle_count(fabric_); ++t) {
       triangle(fabric_, t, v);
@@ -106,8 +106,8 @@ class BoundSearch {
   }
 
   /// Sums depend on the distance to the border only, up to twice its stencil radius.
-  std::vector<uint32_t> representatives(uint32_t count) const {
-    std::vector<uint32_t> all;
+  Vector<uint32_t> representatives(uint32_t count) const {
+    Vector<uint32_t> all;
     const bool every = input_.pinned != nullptr || !fabric_.masses.empty() || count <= 16;
     for (uint32_t i = 0; i < count; ++i) {
       if (every || i < 8 || i >= count - 8) all.push_back(i);
@@ -160,7 +160,7 @@ class BoundSearch {
 
   void over_rows() {
     const SpringRows& rows = fabric_.rows;
-    std::vector<double> sums(fabric_.vertices);
+    Vector<double> sums(fabric_.vertices);
     for (uint32_t v = 0; v < fabric_.vertices; ++v) sums[v] = row_sum(v);
     const auto valence = [&](uint32_t v) {
       return double(rows.start[size_t(v) + 1] - rows.start[v]);

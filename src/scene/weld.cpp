@@ -29,7 +29,7 @@ class Particles {
   explicit Particles(double distance) : distance_(distance) {}
 
   /// The first particle within the distance, which may be the point itself as a new one.
-  uint32_t of(const double3& x, std::vector<double3>& positions) {
+  uint32_t of(const double3& x, Vector<double3>& positions) {
     const Cell cell = cell_of(x);
     uint32_t first = none;
     for (int k = 0; k < 27; ++k) {
@@ -62,7 +62,9 @@ class Particles {
   }
 
   double distance_;
-  std::unordered_map<Cell, std::vector<uint32_t>, CellHash> cells_;
+  std::unordered_map<Cell, Vector<uint32_t>, CellHash, std::equal_to<Cell>,
+                     HostAllocator<std::pair<const Cell, Vector<uint32_t>>>>
+      cells_;
 };
 
 }  // namespace

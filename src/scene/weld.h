@@ -1,15 +1,16 @@
 // Vertices of a render mesh that are one particle: seams of texture coordinates and of normals.
 #pragma once
 
+#include "base/host_memory.h"
 #include "scene/fabric.h"
 
 namespace weft::scene {
 
 struct Welded {
-  std::vector<uint32_t> particle_of;  ///< by vertex
-  std::vector<double3> positions;     ///< by particle: its first vertex's
-  std::vector<uint32_t> indices;      ///< of the triangles that still have three corners
-  std::vector<double> masses;         ///< by particle: its first vertex's; empty as in the mesh
+  Vector<uint32_t> particle_of;  ///< by vertex
+  Vector<double3> positions;     ///< by particle: its first vertex's
+  Vector<uint32_t> indices;      ///< of the triangles that still have three corners
+  Vector<double> masses;         ///< by particle: its first vertex's; empty as in the mesh
   uint32_t dropped = 0;               ///< triangles
   MeshDesc mesh;                      ///< the same over particles; views of the above
 };

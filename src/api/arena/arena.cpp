@@ -14,7 +14,7 @@ namespace weft::api {
 namespace {
 
 template <class T>
-class ArenaOf final : public Arena {
+class ArenaOf final : public Arena, public HostObject {
  public:
   explicit ArenaOf(ContextState& context)
       : context_(context), backend_(*context.backend), colliders_(backend_), pins_(backend_) {}
@@ -27,7 +27,7 @@ class ArenaOf final : public Arena {
     device_ = plan::cut<T>(in.shape, stride(), memory_);
     sim_ = device_.sim;
     set_ranges(plan::compile_plan(in.shape));
-    const std::vector<ClothCounts> places = plan::places_of(in.shape);
+    const Vector<ClothCounts> places = plan::places_of(in.shape);
     for (size_t c = 0; c < in.cloths.size(); ++c) {
       in.cloths[c]->place = places[c];
       in.cloths[c]->settling = substeps_to_settle;
@@ -93,10 +93,10 @@ class ArenaOf final : public Arena {
     return backend_.accelerations(frame);
   }
 
-  Status read(const ClothRecord& cloth, StateArray which, std::vector<double3>& out) override {
+  Status read(const ClothRecord& cloth, StateArray which, Vector<double3>& out) override {
     const uint32_t vertices = cloth.cooked().vertices;
     out.resize(vertices);
-    std::vector<Vec3<T>> now, before;
+    Vector<Vec3<T>> now, before;
     const bool difference = which == StateArray::displacement && position_form_;
     Status status =
         fetch(which == StateArray::acceleration || which == StateArray::normal ? sim_.x[1]
@@ -126,7 +126,7 @@ class ArenaOf final : public Arena {
     job.out_position = target.position;
     job.out_normal = target.normal;
     job.out_last = target.last_position;
-    std::vector<T> mirrors[3];
+    Vector<T> mirrors[3];
     Status status = on_host(sim_.x[0], cloth, mirrors[0], job.now);
     if (status == Status::ok && job.alpha != T(1)) {
       status = on_host(device_.before, cloth, mirrors[1], job.before);
@@ -138,7 +138,7 @@ class ArenaOf final : public Arena {
   }
 
   Status save(const ArenaInput& in) override {
-    std::vector<Vec3<T>> values;
+    Vector<Vec3<T>> values;
     for (ClothRecord* cloth : in.cloths) {
       if (!cloth->moved) continue;
       if (device_.before.data) {
@@ -154,7 +154,7 @@ class ArenaOf final : public Arena {
         const Vec3Array<T> from = position ? sim_.x[0] : position_form_ ? sim_.x[2] : sim_.d[0];
         const Status status = fetch(from, cloth->first(), cloth->cooked().vertices, values);
         if (status != Status::ok) return status;
-        std::vector<double3>& to = position ? cloth->saved_x : cloth->saved_d;
+        Vector<double3>& to = position ? cloth->saved_x : cloth->saved_d;
         to.resize(values.size());
         for (size_t i = 0; i < values.size(); ++i) to[i] = {values[i].x, values[i].y, values[i].z};
       }
@@ -222,7 +222,7 @@ class ArenaOf final : public Arena {
       fill_at(in, dt_before, time, device_);
       return Status::ok;
     }
-    std::vector<char> memory(allocated_ + 128);
+    Vector<char> memory(allocated_ + 128);
     void* base = memory.data();
     size_t room = memory.size();
     char* image = static_cast<char*>(std::align(128, allocated_, base, room));
@@ -286,13 +286,13 @@ class ArenaOf final : public Arena {
   }
 
   /// An array of vectors from the cloth's first element on, where the host can read it.
-  Status on_host(const Vec3Array<T>& from, const ClothRecord& cloth, std::vector<T>& mirror,
+  Status on_host(const Vec3Array<T>& from, const ClothRecord& cloth, Vector<T>& mirror,
                  Vec3Array<T>& out) {
     if (backend_.info().host_memory) {
       out = {from.data + int64_t(cloth.first()) * stride(), from.pitch};
       return Status::ok;
     }
-    std::vector<Vec3<T>> values;
+    Vector<Vec3<T>> values;
     const size_t count = cloth.cooked().vertices;
     const Status status = fetch(from, cloth.first(), count, values);
     if (status != Status::ok) return status;
@@ -324,7 +324,7 @@ class ArenaOf final : public Arena {
       return cutter.bytes();
     };
     Simulation<T> image{};
-    std::vector<char> memory(cut(nullptr, image));
+    Vector<char> memory(cut(nullptr, image));
     cut(memory.data(), image);
     part.fill(cloth, 0, stride(), part.arrays(image));
     const auto from = pieces_of(part, image, 0, elements, stride());
@@ -348,11 +348,11 @@ class ArenaOf final : public Arena {
   }
 
   /// Reads elements [first, first + count) of an array of vectors.
-  Status fetch(const Vec3Array<T>& from, int first, size_t count, std::vector<Vec3<T>>& out) {
+  Status fetch(const Vec3Array<T>& from, int first, size_t count, Vector<Vec3<T>>& out) {
     out.resize(count);
     if (count == 0) return Status::ok;
     const auto stride = static_cast<size_t>(this->stride());
-    std::vector<T> line((count - 1) * stride + 1);
+    Vector<T> line((count - 1) * stride + 1);
     for (size_t c = 0; c < 3; ++c) {
       const Status status =
           backend_.to_host(line.data(), from.data + size_t(first) * stride + c * from.pitch,
@@ -372,8 +372,8 @@ class ArenaOf final : public Arena {
   Simulation<T> sim_{};           ///< as the last frame left them: which buffer holds the present
   bool position_form_ = false;
 
-  std::vector<ClothParams<T>> params_;
-  std::vector<Survey<T>> found_;
+  Vector<ClothParams<T>> params_;
+  Vector<Survey<T>> found_;
   ColliderInputs<T> colliders_;
   PinInputs<T> pins_;
 };

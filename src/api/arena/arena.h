@@ -3,11 +3,11 @@
 #pragma once
 
 #include <memory>
-#include <vector>
 
 #include "api/records/cloth.h"
 #include "api/records/collider.h"
 #include "api/context/context_state.h"
+#include "base/host_memory.h"
 #include "plan/plan.h"
 #include "step/backend.h"
 
@@ -16,11 +16,11 @@ namespace weft::api {
 /// The cloths and colliders that an arena is made for, in arena order, and how they are stepped.
 struct ArenaInput {
   const WorldDesc* world;
-  std::vector<ClothRecord*> cloths;  ///< by kernel, then by creation
-  const std::vector<ColliderRecord>* colliders;
+  Vector<ClothRecord*> cloths;  ///< by kernel, then by creation
+  const Vector<ColliderRecord>* colliders;
   const WindDesc* wind;                                  ///< null: none
-  std::vector<const scene::CookedColliderMesh*> meshes;  ///< each that a collider uses, once
-  std::vector<size_t> mesh_of_collider;                  ///< by mesh collider, into `meshes`
+  Vector<const scene::CookedColliderMesh*> meshes;  ///< each that a collider uses, once
+  Vector<size_t> mesh_of_collider;                  ///< by mesh collider, into `meshes`
   plan::WorldShape shape;
 };
 
@@ -67,7 +67,7 @@ class Arena {
   virtual Status normals(const ArenaInput&, Workers) = 0;
   /// Of one cloth in caller order; positions are local. Accelerations and normals: after the call
   /// that makes them; both overwrite the other.
-  virtual Status read(const ClothRecord&, StateArray, std::vector<double3>& out) = 0;
+  virtual Status read(const ClothRecord&, StateArray, Vector<double3>& out) = 0;
   /// Writes vertices to host memory; normals after the call that makes them.
   virtual Status write(const ClothRecord&, const VertexTarget&, Workers) = 0;
   /// Particles stand where they were when it happened.

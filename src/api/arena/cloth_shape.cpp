@@ -21,7 +21,7 @@ KernelKind kind_of(const ClothRecord& cloth) {
 }
 
 static uint32_t blocks_of_moving_pins(const ClothRecord& cloth) {
-  std::vector<uint32_t> blocks;
+  Vector<uint32_t> blocks;
   for (const PinRecord& pin : cloth.pins) {
     if (pin.can_move) blocks.push_back(cloth.cooked().storage(pin.vertex) / block_size);
   }

@@ -20,11 +20,11 @@ struct Upload {
   size_t bytes;
 };
 template <class Element>
-Upload upload_of(const Element* to, const std::vector<Element>& from, size_t count) {
+Upload upload_of(const Element* to, const Vector<Element>& from, size_t count) {
   return {to, from.data(), count * sizeof(Element)};
 }
 template <class Element>
-Upload upload_of(const Element* to, const std::vector<Element>& from) {
+Upload upload_of(const Element* to, const Vector<Element>& from) {
   return upload_of(to, from, from.size());
 }
 

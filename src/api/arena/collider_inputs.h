@@ -2,6 +2,7 @@
 #pragma once
 
 #include "api/arena/arena.h"
+#include "base/host_memory.h"
 #include "plan/device_arrays.h"
 
 namespace weft::api {
@@ -35,17 +36,17 @@ class ColliderInputs {
   size_t find_near(const ClothRecord&, double margin, size_t first, ClothActivity<T>&);
 
   const Backend& backend_;
-  std::vector<Followed> followed_;  ///< by shape, then by slot: the order in which they are met
-  std::vector<Sphere<T>> spheres_;
-  std::vector<Plane<T>> planes_;
-  std::vector<Capsule<T>> capsules_;
-  std::vector<Cylinder<T>> cylinders_;
-  std::vector<Box<T>> boxes_;
-  std::vector<MeshCollider<T>> meshes_;
-  std::vector<Mat3<T>> turns_;  ///< [substep + 1][column]
-  std::vector<int32_t> near_;
-  std::vector<ColliderBounds<T>> near_bounds_;
-  std::vector<ClothActivity<T>> activity_;
+  Vector<Followed> followed_;  ///< by shape, then by slot: the order in which they are met
+  Vector<Sphere<T>> spheres_;
+  Vector<Plane<T>> planes_;
+  Vector<Capsule<T>> capsules_;
+  Vector<Cylinder<T>> cylinders_;
+  Vector<Box<T>> boxes_;
+  Vector<MeshCollider<T>> meshes_;
+  Vector<Mat3<T>> turns_;  ///< [substep + 1][column]
+  Vector<int32_t> near_;
+  Vector<ColliderBounds<T>> near_bounds_;
+  Vector<ClothActivity<T>> activity_;
   size_t columns_ = 0;
   bool by_block_ = false;
 };

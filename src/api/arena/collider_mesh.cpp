@@ -17,7 +17,9 @@ ColliderMesh& ColliderMesh::operator=(ColliderMesh other) noexcept {
   return *this;
 }
 ColliderMesh::~ColliderMesh() {
-  if (impl_ && impl_->references.fetch_sub(1, std::memory_order_acq_rel) == 1) delete impl_;
+  if (!impl_ || impl_->references.fetch_sub(1, std::memory_order_acq_rel) != 1) return;
+  const std::shared_ptr<api::ContextState> keep = impl_->context;  // its memory
+  delete impl_;
 }
 
 uint64_t ColliderMesh::triangle_count() const noexcept {

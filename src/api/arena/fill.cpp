@@ -156,7 +156,7 @@ void fill_image(const ArenaInput& in, int vector_stride, double dt_before, doubl
 }
 
 template <class T>
-void fill_params(const ArenaInput& in, std::vector<ClothParams<T>>& out) {
+void fill_params(const ArenaInput& in, Vector<ClothParams<T>>& out) {
   for (size_t c = 0; c < in.cloths.size(); ++c) {
     const ClothRecord& cloth = *in.cloths[c];
     ClothParams<T> p{};
@@ -194,7 +194,7 @@ void fill_params(const ArenaInput& in, std::vector<ClothParams<T>>& out) {
 
 template void fill_image(const ArenaInput&, int, double, double, plan::DeviceArrays<float>&);
 template void fill_image(const ArenaInput&, int, double, double, plan::DeviceArrays<double>&);
-template void fill_params(const ArenaInput&, std::vector<ClothParams<float>>&);
-template void fill_params(const ArenaInput&, std::vector<ClothParams<double>>&);
+template void fill_params(const ArenaInput&, Vector<ClothParams<float>>&);
+template void fill_params(const ArenaInput&, Vector<ClothParams<double>>&);
 
 }  // namespace weft::api

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "api/arena/arena.h"
+#include "base/host_memory.h"
 #include "plan/device_arrays.h"
 
 namespace weft::api {
@@ -13,6 +14,6 @@ void fill_image(const ArenaInput&, int vector_stride, double dt_before, double t
 
 /// Parameters of the cloths; `starting` marks those that have not moved.
 template <class T>
-void fill_params(const ArenaInput&, std::vector<ClothParams<T>>& out);
+void fill_params(const ArenaInput&, Vector<ClothParams<T>>& out);
 
 }  // namespace weft::api

@@ -1,9 +1,8 @@
 // Writing to an image of a world's device memory: its views are those of the kernels.
 #pragma once
 
-#include <vector>
-
 #include "api/records/cloth.h"
+#include "base/host_memory.h"
 #include "base/view.h"
 
 namespace weft::api {
@@ -24,7 +23,7 @@ Vec3<T> narrow(const double3& v) {
 }
 /// Vectors in the memory layout of a back end.
 template <class T>
-Vec3Array<T> arranged(const std::vector<Vec3<T>>& values, size_t stride, std::vector<T>& memory) {
+Vec3Array<T> arranged(const Vector<Vec3<T>>& values, size_t stride, Vector<T>& memory) {
   const size_t pitch = stride > 1 ? 1 : values.size();
   memory.resize(values.size() * (stride > 1 ? stride : 3));
   for (size_t i = 0; i < values.size(); ++i) {

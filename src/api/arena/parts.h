@@ -15,6 +15,7 @@
 
 #include "api/arena/forces.h"
 #include "api/arena/tethers.h"
+#include "base/host_memory.h"
 #include "plan/cutter.h"
 #include "plan/shape.h"
 
@@ -43,8 +44,8 @@ inline uint32_t parts_of(const ClothRecord& cloth) {
   return bits;
 }
 
-inline std::vector<scene::CookedDiagnostic> remarks_on(const ClothRecord& cloth) {
-  std::vector<scene::CookedDiagnostic> out;
+inline Vector<scene::CookedDiagnostic> remarks_on(const ClothRecord& cloth) {
+  Vector<scene::CookedDiagnostic> out;
   Parts::each([&](auto part) {
     if constexpr (requires { part.remarks(cloth, out); }) part.remarks(cloth, out);
   });
@@ -100,7 +101,7 @@ class PieceFinder {
       add(view.data + c * view.pitch, first_ * bytes, count_ * bytes);
     }
   }
-  const std::vector<Piece>& pieces() const { return pieces_; }
+  const Vector<Piece>& pieces() const { return pieces_; }
 
  private:
   void add(const void* array, size_t from, size_t bytes) {
@@ -109,10 +110,10 @@ class PieceFinder {
 
   size_t first_, count_;  // blocks
   size_t stride_;
-  std::vector<Piece> pieces_;
+  Vector<Piece> pieces_;
 };
 template <class ThePart, class T>
-std::vector<Piece> pieces_of(ThePart part, Simulation<T>& sim, int64_t first, int64_t count,
+Vector<Piece> pieces_of(ThePart part, Simulation<T>& sim, int64_t first, int64_t count,
                              int vector_stride) {
   PieceFinder finder(first, count, vector_stride);
   part.arrays(sim).arrays(finder, counts_with(part.part, block_size));

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "api/arena/arena.h"
+#include "base/host_memory.h"
 
 namespace weft::api {
 
@@ -29,12 +30,12 @@ class PinInputs {
   size_t vector_element(size_t slot, size_t component) const;
 
   const Backend& backend_;
-  std::vector<PinSlot> slots_;
-  std::vector<int32_t> motion_;
-  std::vector<T> base_, glide_;  ///< arrays of vectors in the back end's layout
+  Vector<PinSlot> slots_;
+  Vector<int32_t> motion_;
+  Vector<T> base_, glide_;  ///< arrays of vectors in the back end's layout
   size_t pitch_ = 0;             ///< of both
   size_t motions_ = 0;
-  std::vector<Vec3<T>> offsets_;  ///< [substep][motion]
+  Vector<Vec3<T>> offsets_;  ///< [substep][motion]
 };
 
 }  // namespace weft::api

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "api/arena/arena.h"
+#include "base/host_memory.h"
 #include "scene/edges.h"
 
 namespace weft::api {
@@ -28,7 +29,7 @@ class SpringFiller {
   T stiffness_of(const ClothRecord&, uint64_t k) const;
 
   Simulation<T>& image_;
-  std::vector<Vec3<T>> rest_shape_;  ///< of the present cloth
+  Vector<Vec3<T>> rest_shape_;  ///< of the present cloth
 };
 
 }  // namespace weft::api

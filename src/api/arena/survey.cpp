@@ -22,7 +22,7 @@ void include(const Survey<T>& group, ClothRecord& cloth) {
 }  // namespace
 
 template <class T>
-void take_survey(const ArenaInput& in, const std::vector<Survey<T>>& groups) {
+void take_survey(const ArenaInput& in, const Vector<Survey<T>>& groups) {
   const double far = std::numeric_limits<double>::infinity();
   for (ClothRecord* cloth : in.cloths) {
     cloth->low = {far, far, far};
@@ -35,7 +35,7 @@ void take_survey(const ArenaInput& in, const std::vector<Survey<T>>& groups) {
   }
 }
 
-template void take_survey(const ArenaInput&, const std::vector<Survey<float>>&);
-template void take_survey(const ArenaInput&, const std::vector<Survey<double>>&);
+template void take_survey(const ArenaInput&, const Vector<Survey<float>>&);
+template void take_survey(const ArenaInput&, const Vector<Survey<double>>&);
 
 }  // namespace weft::api

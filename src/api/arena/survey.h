@@ -2,11 +2,12 @@
 #pragma once
 
 #include "api/arena/arena.h"
+#include "base/host_memory.h"
 
 namespace weft::api {
 
 /// Bounds, longest way and loss of every cloth, from its groups.
 template <class T>
-void take_survey(const ArenaInput&, const std::vector<Survey<T>>& groups);
+void take_survey(const ArenaInput&, const Vector<Survey<T>>& groups);
 
 }  // namespace weft::api

@@ -67,9 +67,9 @@ void TethersPart::fill(const ClothRecord& cloth, int64_t first, int, Tethers<T>&
 template void TethersPart::fill(const ClothRecord&, int64_t, int, Tethers<float>&);
 template void TethersPart::fill(const ClothRecord&, int64_t, int, Tethers<double>&);
 
-void TethersPart::remarks(const ClothRecord& cloth, std::vector<scene::CookedDiagnostic>& out) {
-  const auto say = [&](uint32_t element, std::string text) {
-    out.push_back({Severity::warning, element, std::move(text)});
+void TethersPart::remarks(const ClothRecord& cloth, Vector<scene::CookedDiagnostic>& out) {
+  const auto say = [&](uint32_t element, const Text& words) {
+    out.push_back({Severity::warning, element, words});
   };
   if (cloth.tether_scale <= 0) {
     if (cloth.tether_compliance > 0) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "api/arena/image.h"
+#include "base/host_memory.h"
 #include "scene/nearest_pins.h"
 
 namespace weft::api {
@@ -22,7 +23,7 @@ struct TethersPart {
   }
   template <class T>
   static void fill(const ClothRecord& cloth, int64_t first, int, Tethers<T>& to);
-  static void remarks(const ClothRecord& cloth, std::vector<scene::CookedDiagnostic>& out);
+  static void remarks(const ClothRecord& cloth, Vector<scene::CookedDiagnostic>& out);
 };
 
 }  // namespace weft::api

@@ -4,16 +4,39 @@
 #include <memory>
 #include <mutex>
 #include <new>
-#include <string>
+#include <stdexcept>
 
 #include "api/context/memory.h"
 #include "api/context/registry.h"
+#include "api/context/teller.h"
+#include "base/host_memory.h"
 #include "base/message_host.h"
 #include "scene/collider_mesh.h"
 #include "scene/fabric.h"
 
 namespace weft {
 namespace api {
+
+/// The call that this thread has made, for messages.
+struct Asked {
+  const char* call = nullptr;
+  ClothId cloth;  ///< that it is about; null: none, or all
+};
+inline thread_local Asked asked_of_thread;
+
+/// As long as it lives, this thread has made the call.
+class AskScope {
+ public:
+  explicit AskScope(const char* call) noexcept : before_(asked_of_thread) {
+    asked_of_thread = {call, {}};
+  }
+  ~AskScope() { asked_of_thread = before_; }
+  AskScope(const AskScope&) = delete;
+  AskScope& operator=(const AskScope&) = delete;
+
+ private:
+  Asked before_;
+};
 
 struct ContextState {
   explicit ContextState(const ContextDesc& desc)
@@ -25,11 +48,21 @@ struct ContextState {
   /// The back end that can write to the host's memory.
   const Backend& host() const noexcept { return host_backend ? *host_backend : *backend; }
 
-  void say(Severity severity, const std::string& message) noexcept {
-    if (log.message) log.message(log.user, severity, message.c_str());
+  /// Takes no memory.
+  void say(Severity severity, const Text& message) noexcept {
+    if (log.message) teller.tell(log, severity, message);
   }
-  Status fail(Status status, const std::string& message) noexcept {
-    say(Severity::error, message);
+  /// Says which call, about which cloth, has failed.
+  Status fail(Status status, const Text& message) noexcept {
+    const Asked& asked = asked_of_thread;
+    if (!asked.call) {
+      say(Severity::error, message);
+    } else if (!asked.cloth) {
+      say(Severity::error, text("%s: %s", asked.call, message.c_str()));
+    } else {
+      say(Severity::error,
+          text("%s, cloth %u: %s", asked.call, asked.cloth.index, message.c_str()));
+    }
     return status;
   }
 
@@ -40,7 +73,8 @@ struct ContextState {
   const Backend* backend = nullptr;
   const Backend* host_backend = nullptr;  ///< null: `backend` is the host's
   uint32_t threads = 1;
-  std::string fallback;
+  Text fallback;
+  Teller teller;
 };
 
 /// A zone of the caller's profiler, as long as it lives.
@@ -60,13 +94,18 @@ class Zone {
   void* zone_ = nullptr;
 };
 
-/// Runs `body`, which returns a Status, and turns what it throws into one.
+/// Runs `body`, which returns a Status and takes its memory from the context, and turns what it
+/// throws into a Status.
 template <class Body>
 Status guarded(ContextState& context, const Body& body) noexcept {
+  const MemoryScope scope(&context.memory);
   try {
     return body();
   } catch (const InvalidInput& problem) {
     return context.fail(Status::invalid_argument, problem.what());
+  } catch (const std::length_error&) {
+    return context.fail(Status::out_of_memory,
+                        "out of memory (there is not that much) make the scene smaller");
   } catch (const std::bad_alloc&) {
     return context.fail(
         Status::out_of_memory,
@@ -77,11 +116,13 @@ Status guarded(ContextState& context, const Body& body) noexcept {
 }  // namespace api
 
 inline namespace v0 {
-struct Context::Impl {
+struct Context::Impl : HostObject {
+  explicit Impl(std::shared_ptr<api::ContextState> made) : state(std::move(made)) {}
+
   std::shared_ptr<api::ContextState> state;
 };
 
-struct Fabric::Impl {
+struct Fabric::Impl : HostObject {
   explicit Impl(std::shared_ptr<api::ContextState> owner)
       : context(std::move(owner)), cooked(&context->memory) {}
 
@@ -91,7 +132,7 @@ struct Fabric::Impl {
   std::pmr::vector<Diagnostic> diagnostics{&context->memory};
 };
 
-struct ColliderMesh::Impl {
+struct ColliderMesh::Impl : HostObject {
   explicit Impl(std::shared_ptr<api::ContextState> owner)
       : context(std::move(owner)), cooked(&context->memory) {}
 

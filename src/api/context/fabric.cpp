@@ -14,7 +14,9 @@ Fabric& Fabric::operator=(Fabric other) noexcept {
   return *this;
 }
 Fabric::~Fabric() {
-  if (impl_ && impl_->references.fetch_sub(1, std::memory_order_acq_rel) == 1) delete impl_;
+  if (!impl_ || impl_->references.fetch_sub(1, std::memory_order_acq_rel) != 1) return;
+  const std::shared_ptr<api::ContextState> keep = impl_->context;  // its memory
+  delete impl_;
 }
 
 uint32_t Fabric::vertex_count() const noexcept { return impl_ ? impl_->cooked.vertices : 0; }

@@ -2,11 +2,42 @@
 #pragma once
 
 #include <atomic>
+#include <cstddef>
+#include <cstdlib>
 #include <memory_resource>
+#include <new>
 
 #include "weft/core.hpp"
 
 namespace weft::api {
+
+/// The caller's allocator, or the C++ heap's, without a context that counts: for what a context
+/// itself lies in.
+template <class T>
+struct UncountedAllocator {
+  using value_type = T;
+  explicit UncountedAllocator(const Allocator& user) : of(user) {}
+  template <class Other>
+  UncountedAllocator(const UncountedAllocator<Other>& other) : of(other.of) {}
+
+  T* allocate(size_t count) {
+    static_assert(alignof(T) <= alignof(std::max_align_t));
+    void* at = of.allocate ? of.allocate(of.user, count * sizeof(T), alignof(std::max_align_t))
+                           : std::malloc(count * sizeof(T));
+    if (!at) throw std::bad_alloc();
+    return static_cast<T*>(at);
+  }
+  void deallocate(T* at, size_t count) noexcept {
+    if (of.deallocate) return of.deallocate(of.user, at, count * sizeof(T));
+    std::free(at);
+  }
+  template <class Other>
+  bool operator==(const UncountedAllocator<Other>&) const {
+    return true;
+  }
+
+  Allocator of;
+};
 
 class ContextMemory final : public std::pmr::memory_resource {
  public:

@@ -109,7 +109,7 @@ const char* to_string(EventType type) noexcept {
 #endif
 
 const char* build_info() noexcept {
-  static const std::string info = text("%d.%d.%d omp%s " WEFT_COMPILER, WEFT_VERSION_MAJOR,
+  static const Text info = text("%d.%d.%d omp%s " WEFT_COMPILER, WEFT_VERSION_MAJOR,
                                        WEFT_VERSION_MINOR, WEFT_VERSION_PATCH,
 #ifdef WEFT_HAVE_CUDA
                                        " cuda"

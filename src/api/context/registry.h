@@ -1,8 +1,7 @@
 // The back ends of this build. The only place that asks which optional ones there are.
 #pragma once
 
-#include <string>
-
+#include "base/message_host.h"
 #include "step/backend.h"
 #include "weft/context.hpp"
 
@@ -10,8 +9,8 @@ namespace weft::api {
 
 struct BackendChoice {
   const Backend* backend = nullptr;
-  std::string refusal;   ///< why there is none
-  std::string fallback;  ///< why a GPU of this build is not used
+  Text refusal;   ///< why there is none
+  Text fallback;  ///< why a GPU of this build is not used
 };
 BackendChoice choose_backend(BackendKind, Isa);
 

@@ -1,5 +1,7 @@
 #include "api/context/runner.h"
 
+#include <exception>
+
 namespace weft::api {
 
 Runner::~Runner() {
@@ -12,14 +14,21 @@ Runner::~Runner() {
   thread_.join();
 }
 
-void Runner::start(void (*function)(void*), void* argument) {
-  if (!thread_.joinable()) thread_ = std::thread([this] { loop(); });
+bool Runner::start(void (*function)(void*), void* argument) noexcept {
+  if (!thread_.joinable()) {
+    try {
+      thread_ = std::thread([this] { loop(); });
+    } catch (const std::exception&) {  // no thread, or no memory for one
+      return false;
+    }
+  }
   {
     const std::lock_guard lock(mutex_);
     function_ = function;
     argument_ = argument;
   }
   wakes_.notify_one();
+  return true;
 }
 
 void Runner::loop() {

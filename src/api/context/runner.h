@@ -14,8 +14,8 @@ class Runner {
   Runner(const Runner&) = delete;
   Runner& operator=(const Runner&) = delete;
 
-  /// Throws std::system_error where no thread can be made. The function before must have ended.
-  void start(void (*function)(void*), void* argument);
+  /// False: no thread can be made, and nothing happens. The function before must have ended.
+  bool start(void (*function)(void*), void* argument) noexcept;
 
  private:
   void loop();

@@ -5,6 +5,7 @@
 
 #include "api/context/context_state.h"
 #include "api/context/vector_math.h"
+#include "base/stable_sort.h"
 #include "scene/check.h"
 #include "scene/trigonometry.h"
 
@@ -128,7 +129,7 @@ void checked_forces(View<VertexForce> forces, uint32_t vertices,
     checked_vector(forces[i].force, text("forces[%u]", i).c_str());
     out.push_back(forces[i]);
   }
-  std::stable_sort(out.begin(), out.end(),
+  weft::stable_sort(out.begin(), out.end(),
                    [](const VertexForce& a, const VertexForce& b) { return a.vertex < b.vertex; });
   size_t kept = 0;
   for (size_t i = 0; i < out.size(); ++i) {

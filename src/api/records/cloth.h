@@ -3,9 +3,9 @@
 
 #include <memory>
 #include <memory_resource>
-#include <vector>
 
 #include "api/records/way.h"
+#include "base/host_memory.h"
 #include "plan/shape.h"
 #include "scene/fabric.h"
 #include "weft/world.hpp"
@@ -22,7 +22,7 @@ struct PinRecord {
   Way<double3> way;  ///< where move_pins leads it
 };
 
-struct ClothRecord : ClothSettings {
+struct ClothRecord : ClothSettings, HostObject {
   explicit ClothRecord(std::pmr::memory_resource* memory)
       : pins(memory), motions(memory), forces(memory), positions(memory), velocities(memory) {}
 
@@ -77,14 +77,14 @@ struct ClothRecord : ClothSettings {
   bool moved = false;          ///< a step has been made: the device holds its state
   ClothCounts place{};         ///< where its elements begin in the arrays of the device
   // State while the device memory is being remade: local, storage order, as the form keeps it.
-  std::vector<double3> saved_x, saved_d, saved_before;
+  Vector<double3> saved_x, saved_d, saved_before;
   Bounds bounds{}, bounds_before{};  ///< what is told of the last step, and of the one before
   bool told_asleep = false;
 
   /// What parts have worked out from the fabric and from which vertices are pinned; null: not yet.
   mutable std::shared_ptr<const void> kept[part_count];
-  std::vector<scene::CookedDiagnostic> remarks;  ///< of World::diagnostics, and what it points to
-  std::vector<Diagnostic> told_remarks;
+  Vector<scene::CookedDiagnostic> remarks;  ///< of World::diagnostics, and what it points to
+  Vector<Diagnostic> told_remarks;
 
   bool bound_known = false;
   double bound_dt = 0;

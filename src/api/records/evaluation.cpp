@@ -25,7 +25,7 @@ namespace {
 /// shape and at the start.
 void find_forces(ClothRecord& cloth) {
   const scene::CookedFabric& fabric = cloth.cooked();
-  std::vector<uint32_t> springs(fabric.vertices, 0);
+  Vector<uint32_t> springs(fabric.vertices, 0);
   scene::each_spring(fabric, [&](uint32_t i, uint32_t j, double stiffness, double rest) {
     const double at_rest = length(minus(posed(cloth, i), posed(cloth, j)));
     const double at_start = length(minus(start_position(cloth, i), start_position(cloth, j)));

@@ -1,8 +1,7 @@
 // What a world remembers of an output, and the checks of its description.
 #pragma once
 
-#include <vector>
-
+#include "base/host_memory.h"
 #include "weft/world.hpp"
 
 namespace weft::api {
@@ -11,7 +10,7 @@ struct OutputRecord {
   OutputId id;  ///< null: the slot is free
   ClothId cloth;
   OutputDesc desc;
-  std::vector<float3> last;  ///< what was written before, where an attribute wants it
+  Vector<float3> last;  ///< what was written before, where an attribute wants it
   bool has_last = false;
 };
 

@@ -8,7 +8,8 @@ static const void* this_thread() noexcept {
   return &name;
 }
 
-CallGuard::CallGuard(World::Impl* world, During during) noexcept {
+CallGuard::CallGuard(World::Impl* world, During during, const char* call) noexcept
+    : before_(asked_of_thread) {
   if (!world) {
     status_ = Status::invalid_handle;
     return;
@@ -16,10 +17,14 @@ CallGuard::CallGuard(World::Impl* world, During during) noexcept {
   const void* inside = nullptr;
   if (world->inside.compare_exchange_strong(inside, this_thread())) {
     held_ = world;
+    asked_of_thread = {call, {}};
+    world->inside_for.store(call, std::memory_order_relaxed);
   } else if (inside != this_thread()) {
-    status_ = world->context->fail(Status::wrong_thread,
-                                   "another thread is inside the world (a world serves one at a "
-                                   "time) wait for it, or give each thread a world of its own");
+    status_ = world->context->fail(
+        Status::wrong_thread,
+        text("%s while another thread is inside %s (a world serves one thread at a time) wait for "
+             "it, or give each thread a world of its own",
+             call, world->inside_for.load(std::memory_order_relaxed)));
     return;
   }
   if (during == During::rest && world->flight.active) {
@@ -32,7 +37,10 @@ CallGuard::CallGuard(World::Impl* world, During during) noexcept {
 }
 
 CallGuard::~CallGuard() {
-  if (held_) held_->inside.store(nullptr);
+  if (!held_) return;
+  asked_of_thread = before_;
+  held_->publish();
+  held_->inside.store(nullptr);
 }
 
 }  // namespace weft::api

@@ -10,8 +10,15 @@ class CallGuard {
  public:
   enum class During : uint8_t { rest, flight };
 
-  /// `during`: whether a step must be in flight, or must not.
-  explicit CallGuard(World::Impl* world, During during = During::rest) noexcept;
+  /// `during`: whether a step must be in flight, or must not. `call` names what is asked for in
+  /// messages.
+  explicit CallGuard(World::Impl* world, During during = During::rest,
+                     const char* call = __builtin_FUNCTION()) noexcept;
+  /// Of a call about a cloth.
+  CallGuard(World::Impl* world, ClothId cloth, const char* call = __builtin_FUNCTION()) noexcept
+      : CallGuard(world, During::rest, call) {
+    if (held_) asked_of_thread.cloth = cloth;
+  }
   ~CallGuard();
   CallGuard(const CallGuard&) = delete;
   CallGuard& operator=(const CallGuard&) = delete;
@@ -21,6 +28,7 @@ class CallGuard {
 
  private:
   World::Impl* held_ = nullptr;  ///< null: refused, or the thread was inside already
+  Asked before_;
   Status status_ = Status::ok;
 };
 

@@ -11,8 +11,8 @@ namespace {
 
 /// A view of a set as records, in the order of the members; throws InvalidInput.
 struct Described {
-  std::vector<api::ColliderRecord> records;
-  std::vector<std::string> names;  ///< "capsules[3]"
+  Vector<api::ColliderRecord> records;
+  Vector<Text> names;  ///< "capsules[3]"
 };
 
 template <class Desc>
@@ -78,7 +78,7 @@ Status World::move_collider_set(ColliderSetId id, const ColliderSetDesc& desc, M
   return api::guarded(*impl_->context, [&] {
     scene::check_choice(int(how), 2, "how", "simulate, teleport");
     const Described all = described(desc);
-    std::vector<std::pair<api::ColliderRecord*, api::Placed>> moves;
+    Vector<std::pair<api::ColliderRecord*, api::Placed>> moves;
     for (size_t i = 0; i < all.records.size() && i < set->members.size(); ++i) {
       api::ColliderRecord* member = impl_->find(set->members[i]);
       if (!member || member->shape != all.records[i].shape) break;

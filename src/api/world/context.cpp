@@ -14,10 +14,14 @@ Context& Context::operator=(Context&& other) noexcept {
   std::swap(impl_, other.impl_);
   return *this;
 }
-Context::~Context() { delete impl_; }
+Context::~Context() {
+  if (!impl_) return;
+  const std::shared_ptr<ContextState> keep = impl_->state;  // its memory
+  delete impl_;
+}
 
 Result<Context> Context::create(const ContextDesc& desc, uint32_t abi) noexcept {
-  const auto refuse = [&](Status status, const std::string& message) {
+  const auto refuse = [&](Status status, const Text& message) {
     if (desc.log.message) desc.log.message(desc.log.user, Severity::error, message.c_str());
     return status;
   };
@@ -56,7 +60,9 @@ Result<Context> Context::create(const ContextDesc& desc, uint32_t abi) noexcept 
       return refuse(Status::invalid_argument,
                     text("threads is %u (at most 1024) give a smaller number", desc.threads));
     }
-    auto state = std::make_shared<ContextState>(desc);
+    auto state = std::allocate_shared<ContextState>(
+        api::UncountedAllocator<ContextState>(desc.allocator), desc);
+    const MemoryScope scope(&state->memory);
     api::BackendChoice choice = api::choose_backend(desc.backend, desc.isa);
     if (!choice.backend) return refuse(Status::no_device, choice.refusal);
     state->backend = choice.backend;
@@ -72,7 +78,7 @@ Result<Context> Context::create(const ContextDesc& desc, uint32_t abi) noexcept 
                      : desc.threads > 0     ? desc.threads
                                             : std::max(1u, std::thread::hardware_concurrency());
     if (!choice.fallback.empty()) state->say(Severity::info, choice.fallback);
-    return Context(new Impl{std::move(state)});
+    return Context(new Impl(state));
   } catch (const InvalidInput& problem) {
     return refuse(Status::invalid_argument, problem.what());
   } catch (const std::bad_alloc&) {
@@ -85,6 +91,7 @@ template <class Cooked, class Desc, class Cook>
 static Result<Cooked> cook_with(const Context::Impl* impl, const Desc& desc, Cook cook) noexcept {
   if (!impl) return Status::invalid_handle;
   const api::Zone zone(*impl->state, "weft cook");
+  const api::AskScope asked("cook");
   typename Cooked::Impl* made = nullptr;
   const Status status = api::guarded(*impl->state, [&] {
     auto cooking = std::make_unique<typename Cooked::Impl>(impl->state);
@@ -114,6 +121,7 @@ Result<ColliderMesh> Context::cook(const ColliderMeshDesc& desc) noexcept {
 
 Result<World> Context::create_world(const WorldDesc& desc) noexcept {
   if (!impl_) return Status::invalid_handle;
+  const api::AskScope asked("create_world");
   World::Impl* made = nullptr;
   const Status status = api::guarded(*impl_->state, [&] {
     api::check_world(desc);

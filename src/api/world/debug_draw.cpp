@@ -119,7 +119,7 @@ uint32_t colour_of(double strain) {
 }
 
 void draw_springs(const DebugDraw& draw, const api::ClothRecord& cloth,
-                  const std::vector<double3>& x) {
+                  const Vector<double3>& x) {
   const scene::CookedFabric& fabric = cloth.cooked();
   scene::each_spring(fabric, [&](uint32_t i, uint32_t j, double, double rest) {
     const double length = api::length(api::minus(x[i], x[j]));
@@ -142,7 +142,7 @@ Status World::debug_draw(const DebugDraw& draw) noexcept {
     }
     scene::check_positive(draw.full_strain, "full_strain");
     const api::Placed world;
-    std::vector<double3> x;
+    Vector<double3> x;
     for (const ClothId id : impl_->order) {
       const api::ClothRecord& cloth = *impl_->find(id);
       x.resize(cloth.cooked().vertices);

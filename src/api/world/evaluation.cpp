@@ -27,7 +27,7 @@ Status World::Impl::find_overflow(api::Overflow& out) {
   for (const api::ClothRecord* c : built->cloths) {
     if (c->first() <= found.a) cloth = c;
   }
-  std::vector<double3> x;
+  Vector<double3> x;
   status = arena->read(*cloth, api::StateArray::position, x);
   if (status != Status::ok) return status;
   const uint32_t a = vertex_at(*cloth, found.a), b = vertex_at(*cloth, found.b);
@@ -49,10 +49,8 @@ Status World::Impl::report_overflow() {
   if (status != Status::diverged) return status;
   lost = true;
   const double when = time - flight.dt + found.substep * flight.dt / flight.substeps;
-  event_records.push_back(
-      {{EventType::force_overflow, found.cloth, found.vertex, when, nullptr}, found.text});
-  events.push_back(event_records.back().event);
-  events.back().text = event_records.back().text.c_str();
+  events.push_back({EventType::force_overflow, found.cloth, found.vertex, when, nullptr},
+                   found.text);
   return context->fail(status, found.text);
 }
 

@@ -116,7 +116,7 @@ Status World::write_outputs(double alpha) noexcept {
       if (!output.last.empty() && !output.has_last) {
         status = impl_->arena->write(cloth, target_of(cloth, output, alpha, true),
                                      impl_->context->workers());
-        output.has_last = true;
+        output.has_last = status == Status::ok;
       }
       if (status == Status::ok) {
         status = impl_->arena->write(cloth, target_of(cloth, output, alpha, false),
@@ -149,14 +149,15 @@ void World::Impl::publish_bounds(api::ClothRecord& cloth) const {
                   std::max(now.high.z, b.high.z)};
   }
   cloth.bounds = shown;
+  told.set_bounds(cloth.id, shown);
   cloth.bounds_before = now;
 }
 
 Result<Bounds> World::bounds(ClothId id) const noexcept {
   if (!impl_) return Status::invalid_handle;
-  const api::ClothRecord* cloth = impl_->find(id);
-  if (!cloth) return impl_->stale("cloth", id.index);
-  return cloth->bounds;
+  Bounds bounds{};
+  if (!impl_->told.find(id, &bounds)) return impl_->stale("cloth", id.index);
+  return bounds;
 }
 
 void World::Impl::start_bounds_of(api::ClothRecord& cloth) const {

@@ -53,7 +53,7 @@ static Status read_cloth(World::Impl* impl, ClothId id, api::StateArray which, U
   api::ClothRecord* cloth = impl->find(id);
   if (!cloth) return impl->stale("cloth", id.index);
   return api::guarded(*impl->context, [&] {
-    std::vector<double3> values;
+    Vector<double3> values;
     Status status = impl->ensure_readable();
     if (status == Status::ok) status = impl->make_result(which);
     if (status == Status::ok && cloth->cooked().vertices > 0) {
@@ -131,7 +131,7 @@ Status World::read_velocities(ClothId id, double3* out) noexcept {
     return impl_->context->fail(Status::invalid_argument,
                                 "velocities into a null pointer (there is no room) give a buffer");
   }
-  std::vector<double3> a;
+  Vector<double3> a;
   const Status status = read_cloth(
       impl_, id, api::StateArray::acceleration,
       [&](const api::ClothRecord&, uint32_t, const double3& value) { a.push_back(value); });
@@ -165,7 +165,7 @@ Result<Mechanics> World::mechanics() noexcept {
     const api::ClothRecord& cloth = *impl_->find(id);
     Status status = api::guarded(*impl_->context, [&] {
       const uint32_t n = cloth.cooked().vertices;
-      std::vector<double3> x(n), v(n), rest(n);
+      Vector<double3> x(n), v(n), rest(n);
       if (n == 0) return Status::ok;
       Status read = read_positions(id, x.data());
       if (read == Status::ok) read = read_velocities(id, v.data());
@@ -285,36 +285,35 @@ Result<PlanInfo> World::plan() noexcept {
   return info;
 }
 
+void World::Impl::publish() const noexcept {
+  Stats s{};
+  s.frames = frames;
+  s.steps = steps;
+  s.substeps_last = substeps_last;
+  s.substeps_most = substeps_most;
+  s.dt_last = dt_before;
+  s.dt_least = dt_least;
+  s.step_seconds = step_seconds;
+  s.time_dropped = time_dropped;
+  s.threads = threads_last;
+  const int shown = desc.profile ? api::phases_with_laps : api::phase_count;
+  s.phases = {phases, static_cast<size_t>(shown)};
+  s.bytes_state = built ? arena->bytes() : 0;
+  told.set(s, time, events.view());
+}
+
 Stats World::stats() const noexcept {
   if (!impl_) return {};
-  Stats s{};
-  for (const ClothId id : impl_->order) {
-    const scene::CookedFabric& fabric = impl_->cloths[id.index]->cooked();
-    s.particles += fabric.vertices;
-    s.springs += fabric.springs;
-  }
-  s.frames = impl_->frames;
-  s.steps = impl_->steps;
-  s.substeps_last = impl_->substeps_last;
-  s.substeps_most = impl_->substeps_most;
-  s.dt_last = impl_->dt_before;
-  s.dt_least = impl_->dt_least;
-  s.step_seconds = impl_->step_seconds;
-  s.time_dropped = impl_->time_dropped;
-  s.threads = impl_->threads_last;
-  const int phases = impl_->desc.profile ? api::phases_with_laps : api::phase_count;
-  s.phases = {impl_->phases, static_cast<size_t>(phases)};
-  s.bytes_state = impl_->built ? impl_->arena->bytes() : 0;
+  Stats s = impl_->told.stats();
   s.bytes_total = impl_->context->memory.held();
   return s;
 }
 
 View<Event> World::events() const noexcept {
-  if (!impl_) return {};
-  return {impl_->events.data(), impl_->events.size()};
+  return impl_ ? impl_->told.events() : View<Event>();
 }
 
-double World::time() const noexcept { return impl_ ? impl_->time : 0; }
+double World::time() const noexcept { return impl_ ? impl_->told.time() : 0; }
 
 }  // namespace v0
 }  // namespace weft

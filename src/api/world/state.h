@@ -2,7 +2,6 @@
 #pragma once
 
 #include <atomic>
-#include <deque>
 #include <optional>
 
 #include "api/arena/arena.h"
@@ -10,6 +9,8 @@
 #include "api/records/outputs.h"
 #include "api/context/runner.h"
 #include "api/context/slots.h"
+#include "api/world/event_list.h"
+#include "api/world/told.h"
 
 namespace weft {
 namespace api {
@@ -17,14 +18,9 @@ namespace api {
 /// Throws InvalidInput.
 void check_world(const WorldDesc&);
 
-struct EventRecord {
-  Event event;
-  std::string text;
-};
-
 struct ColliderSetRecord {
   ColliderSetId id;
-  std::vector<ColliderId> members;  ///< spheres, planes, capsules, cylinders, boxes
+  Vector<ColliderId> members;  ///< spheres, planes, capsules, cylinders, boxes
 };
 
 /// A step between its begin and its end. The thread that makes it touches nothing of the world but
@@ -37,6 +33,7 @@ struct Flight {
   Status outcome = Status::ok;
   double seconds = 0;            ///< how long the arena worked
   std::atomic<bool> done{true};  ///< set by the thread that made the step
+  std::atomic<bool> left{true};  ///< the last that this thread touches
 };
 
 /// A step that is about to be made.
@@ -51,7 +48,7 @@ struct Overflow {
   ClothId cloth;
   uint32_t vertex = 0;
   int substep = 0;
-  std::string text;
+  Text text;
 };
 
 /// Names of PhaseTime, in order.
@@ -64,7 +61,7 @@ constexpr int phases_with_laps = phase_count + lap_count;
 inline namespace v0 {
 
 // Hidden: a nested class else inherits the visibility of its public owner.
-struct __attribute__((visibility("hidden"))) World::Impl {
+struct __attribute__((visibility("hidden"))) World::Impl : HostObject {
   Impl(std::shared_ptr<api::ContextState> owner, const WorldDesc& world_desc);
 
   api::ClothRecord* find(ClothId) noexcept;
@@ -103,6 +100,8 @@ struct __attribute__((visibility("hidden"))) World::Impl {
   void drop_time(double seconds, const char* why);
   void start_flight();
   void wait_for_flight() noexcept;
+  /// Tells all threads what has become of the world (told.h).
+  void publish() const noexcept;
   void tell_who_sleeps(api::ClothRecord&);
   void start_bounds_of(api::ClothRecord&) const;
   void publish_bounds(api::ClothRecord&) const;
@@ -126,19 +125,18 @@ struct __attribute__((visibility("hidden"))) World::Impl {
 
   api::ClothRecord& bound_of(api::ClothRecord&);
   Stability tightest();
-  std::string bound_text(const Stability&, double dt, uint32_t substeps);
+  Text bound_text(const Stability&, double dt, uint32_t substeps);
 
   std::shared_ptr<api::ContextState> context;
   WorldDesc desc;
-  std::vector<std::unique_ptr<api::ClothRecord>> cloths;  ///< by slot; null: free
-  uint32_t serial;  ///< in every id: ids of other worlds name nothing here
+  Vector<std::unique_ptr<api::ClothRecord>> cloths;  ///< by slot; null: free
   api::Slots<ClothId> cloth_ids;
-  std::vector<ClothId> order;                  ///< by creation
-  std::vector<api::ColliderRecord> colliders;  ///< by slot; null id: free
+  Vector<ClothId> order;                  ///< by creation
+  Vector<api::ColliderRecord> colliders;  ///< by slot; null id: free
   api::Slots<ColliderId> collider_ids;
-  std::vector<api::ColliderSetRecord> collider_sets;  ///< by slot; null id: free
+  Vector<api::ColliderSetRecord> collider_sets;  ///< by slot; null id: free
   api::Slots<ColliderSetId> collider_set_ids;
-  std::vector<api::OutputRecord> outputs;  ///< by slot; null id: free
+  Vector<api::OutputRecord> outputs;  ///< by slot; null id: free
   api::Slots<OutputId> output_ids;
   std::optional<WindDesc> wind;
   bool normals_wanted = false;  ///< of meshes, whose triangles then lie on the device
@@ -154,6 +152,8 @@ struct __attribute__((visibility("hidden"))) World::Impl {
   bool lost = false;  ///< diverged, or the device failed
 
   std::atomic<const void*> inside{nullptr};  ///< the thread that is inside (call_guard.h)
+  std::atomic<const char*> inside_for{""};   ///< the call that it makes
+  mutable api::Told told;
   api::Flight flight;
 
   double time = 0, time_base = 0;  ///< time = base + frames of one length
@@ -171,11 +171,10 @@ struct __attribute__((visibility("hidden"))) World::Impl {
       {"advance.sums", 0},  {"advance.particles", 0}, {"advance.survey", 0}};
   StageClock clock;
 
-  std::deque<api::EventRecord> event_records;  ///< texts stay where they are
-  std::vector<Event> events;
+  api::EventList events;
   plan::Plan plan;
-  std::vector<PassInfo> passes;
-  std::vector<EvaluationInfo> evaluations;
+  Vector<PassInfo> passes;
+  Vector<EvaluationInfo> evaluations;
 
   api::Runner runner;  ///< last: it must have ended before anything else goes
 };

@@ -8,6 +8,7 @@
 #include "api/world/call_guard.h"
 #include "api/context/vector_math.h"
 #include "api/world/state.h"
+#include "base/stable_sort.h"
 #include "scene/stability.h"
 
 namespace weft {
@@ -70,7 +71,7 @@ api::ArenaInput World::Impl::arena_input(uint32_t substeps) const {
     // A cloth without vertices has no block; it needs no place.
     if (cloths[id.index]->cooked().vertices > 0) in.cloths.push_back(cloths[id.index].get());
   }
-  std::stable_sort(in.cloths.begin(), in.cloths.end(), before_in_arena);
+  weft::stable_sort(in.cloths.begin(), in.cloths.end(), before_in_arena);
   plan::WorldShape& shape = in.shape;
   shape.precision = desc.precision;
   shape.position_form = desc.form == Form::position;
@@ -168,7 +169,7 @@ Stability World::Impl::tightest() {
   return least;
 }
 
-std::string World::Impl::bound_text(const Stability& bound, double dt, uint32_t substeps) {
+Text World::Impl::bound_text(const Stability& bound, double dt, uint32_t substeps) {
   return text(
       "%u substeps of %.6g s (the stable bound is %.6g s, set by the spring %u-%u of cloth %u) "
       "use at least %.0f substeps, or allow unsafe steps",
@@ -233,7 +234,7 @@ Status World::prepare(double dt) noexcept {
 
 Status World::Impl::report_not_finite() {
   lost = true;
-  std::vector<double3> x;
+  Vector<double3> x;
   for (api::ClothRecord* cloth : built->cloths) {
     if (const Status status = arena->read(*cloth, api::StateArray::position, x);
         status != Status::ok) {
@@ -241,13 +242,11 @@ Status World::Impl::report_not_finite() {
     }
     for (uint32_t v = 0; v < x.size(); ++v) {
       if (std::isfinite(x[v].x) && std::isfinite(x[v].y) && std::isfinite(x[v].z)) continue;
-      std::string message = text(
+      const Text message = text(
           "vertex %u of cloth %u is not finite after %.6g s (the simulation diverged) use a "
           "shorter step or look for extreme inputs",
           v, cloth->id.index, time);
-      event_records.push_back({{EventType::non_finite, cloth->id, v, time, nullptr}, message});
-      events.push_back(event_records.back().event);
-      events.back().text = event_records.back().text.c_str();
+      events.push_back({EventType::non_finite, cloth->id, v, time, nullptr}, message);
       return context->fail(Status::diverged, message);
     }
   }
@@ -256,7 +255,6 @@ Status World::Impl::report_not_finite() {
 
 void World::Impl::begin_events() noexcept {
   events.clear();
-  event_records.clear();
 }
 
 void World::Impl::drop_time(double seconds, const char* why) {
@@ -326,6 +324,7 @@ Status World::Impl::begin(const api::Stride& stride, double way) {
   }
   const Status status = ensure_built(stride.dt / stride.substeps, stride.substeps);
   if (status != Status::ok) return status;
+  events.make_room(order.size() + 4);  // whoever sleeps or wakes, and what else may happen
   aim(way);
   wake_by_colliders(stride.dt);
   result = Result::none;
@@ -340,6 +339,7 @@ Status World::Impl::begin(const api::Stride& stride, double way) {
 
 void World::Impl::fly() noexcept {
   flight.seconds = 0;
+  const MemoryScope scope(&context->memory);
   const api::Zone zone(*context, "weft step");
   const Stopwatch watch(flight.seconds);
   const double sub_dt = flight.dt / flight.substeps;

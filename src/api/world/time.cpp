@@ -1,7 +1,7 @@
 // Time as engines pass it: frames of uneven length in steps of an even one, and steps that run
 // while the engine does something else.
 #include <cmath>
-#include <system_error>
+#include <thread>
 
 #include "api/world/call_guard.h"
 #include "api/world/state.h"
@@ -75,22 +75,22 @@ static void fly_and_tell(void* world) {
   impl->fly();
   impl->flight.done.store(true, std::memory_order_release);
   impl->flight.done.notify_one();
+  impl->flight.left.store(true, std::memory_order_release);
 }
 
 void World::Impl::start_flight() {
-  flight.active = true;
   flight.done.store(false, std::memory_order_relaxed);
+  flight.left.store(false, std::memory_order_relaxed);
   const Jobs& jobs = context->jobs;
   if (jobs.launch) return jobs.launch(jobs.user, fly_and_tell, this, "weft step");
   if (jobs.parallel_for) return fly_and_tell(this);
-  try {
-    runner.start(fly_and_tell, this);
-  } catch (const std::system_error&) {  // no thread to be had: now, then
-    fly_and_tell(this);
-  }
+  if (!runner.start(fly_and_tell, this)) fly_and_tell(this);  // no thread to be had: now, then
 }
 
-void World::Impl::wait_for_flight() noexcept { flight.done.wait(false, std::memory_order_acquire); }
+void World::Impl::wait_for_flight() noexcept {
+  flight.done.wait(false, std::memory_order_acquire);
+  while (!flight.left.load(std::memory_order_acquire)) std::this_thread::yield();
+}
 
 Status World::begin_step(double dt) noexcept {
   const api::CallGuard guard(impl_);

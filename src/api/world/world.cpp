@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <numeric>
 
@@ -65,22 +64,12 @@ void check_world(const WorldDesc& desc) {
 
 inline namespace v0 {
 
-/// Tells the ids of worlds apart; comes round after 65536 worlds.
-static uint32_t next_serial() {
-  static std::atomic<uint32_t> last{0};
-  return ++last & 0xffff;
-}
-
 World::Impl::Impl(std::shared_ptr<api::ContextState> owner, const WorldDesc& world_desc)
     : context(std::move(owner)),
       desc(world_desc),
-      serial(next_serial()),
-      cloth_ids(serial),
-      collider_ids(serial),
-      collider_set_ids(serial),
-      output_ids(serial),
       arena(api::make_arena(desc.precision, *context)) {
-  events.reserve(16);
+  events.make_room(16);
+  publish();
 }
 
 api::ClothRecord* World::Impl::find(ClothId id) noexcept {
@@ -106,7 +95,12 @@ World& World::operator=(World&& other) noexcept {
   std::swap(impl_, other.impl_);
   return *this;
 }
-World::~World() { delete impl_; }
+World::~World() {
+  if (!impl_) return;
+  impl_->wait_for_flight();
+  const std::shared_ptr<api::ContextState> keep = impl_->context;  // its memory
+  delete impl_;
+}
 
 Result<ClothId> World::create_cloth(const ClothDesc& cloth_desc) noexcept {
   const api::CallGuard guard(impl_);
@@ -117,12 +111,14 @@ Result<ClothId> World::create_cloth(const ClothDesc& cloth_desc) noexcept {
     fill_record(cloth_desc, *record);
     impl_->start_bounds_of(*record);
     choose_evaluation(impl_->desc, impl_->context->backend->info(), *record);
-    const std::vector<scene::CookedDiagnostic> remarks = api::remarks_on(*record);
+    const Vector<scene::CookedDiagnostic> remarks = api::remarks_on(*record);
     if (impl_->order.size() == impl_->order.capacity()) {
       impl_->order.reserve(2 * impl_->order.size() + 8);
     }
+    impl_->told.make_room(impl_->cloths.size() + 1);
     id = impl_->cloth_ids.take(impl_->cloths);
     record->id = id;
+    impl_->told.add(id, record->bounds, record->cooked().vertices, record->cooked().springs);
     if (impl_->wind) impl_->say_if_windless(*record);
     for (const scene::CookedDiagnostic& d : remarks) {
       impl_->context->say(d.severity, text("cloth %u: %s", id.index, d.text.c_str()));
@@ -150,6 +146,7 @@ Status World::destroy_cloth(ClothId id) noexcept {
     impl_->built.reset();
     impl_->order.erase(std::find(impl_->order.begin(), impl_->order.end(), id));
     impl_->cloths[id.index].reset();
+    impl_->told.remove(id);
     impl_->cloth_ids.give_back(id.index);
     for (api::OutputRecord& output : impl_->outputs) {
       if (!output.id || output.cloth != id) continue;
@@ -160,12 +157,12 @@ Status World::destroy_cloth(ClothId id) noexcept {
   });
 }
 
-bool World::valid(ClothId id) const noexcept { return impl_ && impl_->find(id) != nullptr; }
+bool World::valid(ClothId id) const noexcept { return impl_ && impl_->told.find(id); }
 
 ColliderId World::Impl::add(api::ColliderRecord record) {
   record.since = time;
-  wake_touched(record, 0);
   record.id = collider_ids.take(colliders);
+  wake_touched(record, 0);
   colliders[record.id.index] = record;
   dirty = true;
   return record.id;
@@ -257,7 +254,7 @@ static bool goes_to(const api::PinRecord& pin, const double3& place) {
 Status World::Impl::pin_free(api::ClothRecord& cloth, const std::pmr::vector<uint32_t>& vertices) {
   std::pmr::vector<api::PinRecord> pins(&context->memory);
   pins.reserve(cloth.pins.size() + vertices.size());
-  std::vector<double3> now;
+  Vector<double3> now;
   auto next = cloth.pins.begin();
   for (const uint32_t v : vertices) {
     while (next != cloth.pins.end() && next->vertex < v) pins.push_back(*next++);

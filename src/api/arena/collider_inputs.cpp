@@ -70,9 +70,10 @@ template <class T>
 void ColliderInputs<T>::stage_turns(const FrameInput& input) {
   for (const Followed& e : followed_) {
     if (e.turn < 0) continue;
+    TurnInParts turn(e.path.begin, e.path.end, input.substeps);
     for (int s = 0; s <= input.substeps; ++s) {
       double3 rows[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-      if (s > 0) turn_between(e.path.begin, e.path.end, double(s) / input.substeps, rows);
+      if (s > 0) turn.next(rows);
       Mat3<T>& to = turns_[size_t(s) * columns_ + size_t(e.turn)];
       for (int r = 0; r < 3; ++r) to.row[r] = narrow<T>(rows[r]);
     }

@@ -145,6 +145,13 @@ Placed after(const Placed& then, const Placed& first) {
   return both;
 }
 
+Placed turned_further(const Placed& turn, const Placed& from) {
+  Placed both = turned_by(product(turn.rotation, from.rotation));
+  both.translate = from.translate;
+  both.endless = from.endless;
+  return both;
+}
+
 double3 rotate(const double3* rows, const double3& v) {
   return {inner(rows[0], v), inner(rows[1], v), inner(rows[2], v)};
 }

@@ -27,6 +27,8 @@ Placed turn_of_edges(const double3* from, const double3* to);
 
 /// First `first`, then `then`.
 Placed after(const Placed& then, const Placed& first);
+/// The rotation of a place turned further, which stays one however often it is done.
+Placed turned_further(const Placed& turn, const Placed& from);
 
 double3 rotate(const double3* rows, const double3& v);
 double3 to_world(const Placed&, const double3& described);

@@ -94,6 +94,7 @@ struct __attribute__((visibility("hidden"))) World::Impl {
   void wake_by_colliders(double dt);
   ColliderId add(api::ColliderRecord);
   void move(api::ColliderRecord&, const api::Placed& to, Move);
+  void stretch(api::ColliderRecord&, const api::ColliderRecord& other);
   void remove(api::ColliderRecord&);
   void wake_all() noexcept;
   /// Tells the log of a cloth that wind cannot move.

@@ -238,6 +238,7 @@ typedef struct weft_mesh_collider_desc {
 } weft_mesh_collider_desc;
 typedef struct weft_collider_set_desc {
   weft_view spheres, planes, capsules, cylinders, boxes; /* of weft_sphere_desc, ... */
+  bool may_stretch;
 } weft_collider_set_desc;
 typedef struct weft_wind_desc {
   weft_double3 velocity;

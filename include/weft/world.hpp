@@ -150,6 +150,10 @@ struct ColliderSetDesc {
   View<CapsuleDesc> capsules;
   View<CylinderDesc> cylinders;
   View<BoxDesc> boxes;
+  /// move_collider_set: radii, lengths and edges may change. The new ones count from the beginning
+  /// of the next step, all of them at once: what they newly cover is inside, and is moved out like
+  /// what a teleport covers.
+  bool may_stretch = false;
 };
 
 /// Wind on the triangles of grids and meshes. A triangle of area A and unit normal n whose vertices
@@ -296,13 +300,18 @@ class WEFT_API World {
   Status destroy_collider(ColliderId) noexcept;
   /// Places a collider: `pose` moves its description (spheres, planes, ... as they were given). By
   /// `simulate` it is there at the end of the next step, on the way in between, and rests there
-  /// until it is moved again. By `teleport` it is there at once.
+  /// until it is moved again. On the way it turns uniformly, by the shorter way, about its middle
+  /// (the centre of the shape or of the mesh's bounds; of a plane the point next to each cloth),
+  /// which goes straight. By `teleport` it is there at once.
   Status move_collider(ColliderId, const Pose& pose, Move = Move::simulate) noexcept;
 
   /// All of the set, or none of it where one is refused; `velocity` counts until the first move.
   Result<ColliderSetId> create_collider_set(const ColliderSetDesc&) noexcept;
   /// As move_collider for each: the same numbers of each shape, radii, lengths and edges within
-  /// 1e-4; of `friction` and `velocity` nothing is read. Nothing moves where one is refused.
+  /// the larger of 1e-4 and of four units in the last place of the coordinates in float, unless
+  /// may_stretch; of `friction` and `velocity` nothing is read. What has an axis turns by the
+  /// shortest way to the new one, a plane about the line where it meets its new place. Equal
+  /// descriptions are no motion. Nothing moves where one is refused.
   Status move_collider_set(ColliderSetId, const ColliderSetDesc&, Move = Move::simulate) noexcept;
   Status destroy_collider_set(ColliderSetId) noexcept;
 

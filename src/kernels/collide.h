@@ -99,15 +99,20 @@ struct CollideStage {
 
   /// Each returns whether it has changed anything, or may have.
   template <class Shape, int N>
-  WEFT_HD bool meet(const Shape shape, int i0, Lanes<N> lanes) const {
-    if (shape.surface.turn >= 0) {
-      const Turned<T> before = turned(sim.colliders, shape.surface, step, 1);
-      respond(shape, before, turned(sim.colliders, shape.surface, step, 0), i0, lanes);
-      return true;
-    }
-    const Shifted<T> before = shifted(shape.surface, step, 1);
-    const Shifted<T> now = shifted(shape.surface, step, 0);
-    const Concern<Shape, T> concern{p.x_in, p.x_out, shape, before.by, now.by};
+  WEFT_HD bool meet(const Shape& shape, int i0, Lanes<N> lanes) const {
+    if (shape.surface.turn >= 0) return meet_turning(shape, i0, lanes);
+    return meet_placed(shape, shifted(shape.surface, step, 1), shifted(shape.surface, step, 0), i0,
+                       lanes);
+  }
+  template <class Shape, int N>
+  WEFT_HD_COLD bool meet_turning(const Shape& shape, int i0, Lanes<N> lanes) const {
+    return meet_placed(shape, turned(sim.colliders, shape.surface, step, 1),
+                       turned(sim.colliders, shape.surface, step, 0), i0, lanes);
+  }
+  template <class Shape, class Placement, int N>
+  WEFT_HD bool meet_placed(const Shape& shape, const Placement& before, const Placement& now,
+                           int i0, Lanes<N> lanes) const {
+    const Concern<Shape, Placement, T> concern{p.x_in, p.x_out, shape, before, now};
     const bool touched = lanes.any([&](int l) WEFT_LANE { return concern(i0 + l); });
     if (touched) respond(shape, before, now, i0, lanes);
     return touched;

@@ -8,21 +8,21 @@
 namespace weft {
 namespace WEFT_BACKEND_NS {
 
-/// Whether a particle has to do with a collider that does not turn: it is inside, or fast.
-template <class Shape, class T>
+/// Whether a particle has to do with a collider: it is inside, or fast.
+template <class Shape, class Placement, class T>
 struct Concern {
   Vec3Array<T> x_in, x_out;
   Shape shape;
-  Vec3<T> by_before, by_now;
+  Placement before, now;
 
   WEFT_HD bool operator()(int i) const {
-    const Vec3<T> p1 = load(x_out, i) - by_now;
+    const Vec3<T> p1 = at_start(now, load(x_out, i));
     const bool inside = is_inside(shape, p1);
     if constexpr (!IsSwept<Shape>::value) {
       return inside;
     } else {
-      const bool fast =
-          magnitude2(p1 - (load(x_in, i) - by_before)) > shape.surface.sweep * shape.surface.sweep;
+      const bool fast = magnitude2(p1 - at_start(before, load(x_in, i))) >
+                        shape.surface.sweep * shape.surface.sweep;
       return inside | fast;
     }
   }

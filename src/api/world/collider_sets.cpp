@@ -70,6 +70,13 @@ Result<ColliderSetId> World::create_collider_set(const ColliderSetDesc& desc) no
   return id;
 }
 
+void World::Impl::stretch(api::ColliderRecord& c, const api::ColliderRecord& other) {
+  if (same_sizes(c, other)) return;
+  wake_touched(c, 0);
+  take_sizes(c, other);
+  wake_touched(c, 0);
+}
+
 Status World::move_collider_set(ColliderSetId id, const ColliderSetDesc& desc, Move how) noexcept {
   const api::CallGuard guard(impl_);
   if (!guard) return guard.status();
@@ -78,11 +85,12 @@ Status World::move_collider_set(ColliderSetId id, const ColliderSetDesc& desc, M
   return api::guarded(*impl_->context, [&] {
     scene::check_choice(int(how), 2, "how", "simulate, teleport");
     const Described all = described(desc);
-    Vector<std::pair<api::ColliderRecord*, api::Placed>> moves;
+    Vector<std::pair<api::ColliderRecord*, const api::ColliderRecord*>> moves;
     for (size_t i = 0; i < all.records.size() && i < set->members.size(); ++i) {
       api::ColliderRecord* member = impl_->find(set->members[i]);
       if (!member || member->shape != all.records[i].shape) break;
-      moves.emplace_back(member, api::motion_to(*member, all.records[i], all.names[i].c_str()));
+      if (!desc.may_stretch) check_sizes(*member, all.records[i], all.names[i].c_str());
+      moves.emplace_back(member, &all.records[i]);
     }
     if (moves.size() != all.records.size() || moves.size() != set->members.size()) {
       throw InvalidInput(
@@ -90,7 +98,11 @@ Status World::move_collider_set(ColliderSetId id, const ColliderSetDesc& desc, M
                "destroyed alone) give those it was created with, or create the set anew",
                set->members.size(), all.records.size()));
     }
-    for (const auto& [member, to] : moves) impl_->move(*member, to, how);
+    for (const auto& [member, other] : moves) {
+      if (desc.may_stretch) impl_->stretch(*member, *other);
+      const api::Placed from = path_of(*member, impl_->time, 0).begin;
+      impl_->move(*member, api::motion_to(*member, from, *other), how);
+    }
     return Status::ok;
   });
 }

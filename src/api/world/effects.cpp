@@ -16,7 +16,8 @@ void World::Impl::wake_all() noexcept {
 }
 
 void World::Impl::wake_touched(const api::ColliderRecord& collider, double dt) {
-  const api::SweptBounds bounds = swept_bounds(collider, path_of(collider, time, dt));
+  const api::ColliderPath path = path_of(collider, time, dt);
+  const api::SweptBounds bounds = swept_bounds(collider, path);
   for (const ClothId id : order) {
     api::ClothRecord& cloth = *cloths[id.index];
     if (!cloth.asleep) continue;
@@ -25,7 +26,7 @@ void World::Impl::wake_touched(const api::ColliderRecord& collider, double dt) {
     const double3 by{hair, hair, hair};
     const double3 low = api::minus(api::plus(cloth.low, cloth.origin), by);
     const double3 high = api::plus(api::plus(cloth.high, cloth.origin), by);
-    if (api::overlaps(low, high, bounds)) api::wake(cloth);
+    if (api::comes_into(low, high, cloth.origin, collider, path, bounds, dt)) api::wake(cloth);
   }
 }
 
@@ -155,8 +156,7 @@ Status World::move_collider(ColliderId id, const Pose& pose, Move how) noexcept 
   if (!c) return impl_->stale("collider", id.index);
   return api::guarded(*impl_->context, [&] {
     scene::check_choice(int(how), 2, "how", "simulate, teleport");
-    const api::Placed base = c->shape == ColliderShape::mesh ? c->described : api::Placed{};
-    impl_->move(*c, api::after(api::placed_by(pose, "pose"), base), how);
+    impl_->move(*c, api::after(api::placed_by(pose, "pose"), c->described), how);
     return Status::ok;
   });
 }

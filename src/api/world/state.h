@@ -115,6 +115,7 @@ struct __attribute__((visibility("hidden"))) World::Impl : HostObject {
   void wake_by_colliders(double dt);
   ColliderId add(api::ColliderRecord);
   void move(api::ColliderRecord&, const api::Placed& to, Move);
+  void stretch(api::ColliderRecord&, const api::ColliderRecord& other);
   void remove(api::ColliderRecord&);
   void wake_all() noexcept;
   /// Leads pins to targets; free vertices are pinned first. `vertices` and `targets` are checked.

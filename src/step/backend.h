@@ -47,6 +47,8 @@ class Backend {
   /// Vertices into memory that the back end can reach: on the host, the caller's buffer.
   virtual Status write_vertices(const VertexJob<float>&, Workers) const noexcept = 0;
   virtual Status write_vertices(const VertexJob<double>&, Workers) const noexcept = 0;
+  virtual Status shift(const OriginJob<float>&, Workers) const noexcept = 0;
+  virtual Status shift(const OriginJob<double>&, Workers) const noexcept = 0;
   /// Within device memory.
   virtual Status copy(void* to, const void* from, size_t bytes) const noexcept = 0;
 

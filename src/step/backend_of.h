@@ -53,6 +53,12 @@ class BackendOf final : public Backend {
   Status write_vertices(const VertexJob<double>& job, Workers workers) const noexcept override {
     return do_write(job, workers);
   }
+  Status shift(const OriginJob<float>& job, Workers workers) const noexcept override {
+    return do_shift(job, workers);
+  }
+  Status shift(const OriginJob<double>& job, Workers workers) const noexcept override {
+    return do_shift(job, workers);
+  }
   Status copy(void* to, const void* from, size_t bytes) const noexcept override {
     return Device::copy(to, from, bytes);
   }
@@ -112,6 +118,12 @@ class BackendOf final : public Backend {
   static Status do_write(const VertexJob<T>& job, Workers workers) {
     auto e = Device::exec((job.vertices + block_size - 1) / block_size, workers);
     run_write_vertices(e, job);
+    return Device::finish();
+  }
+  template <class T>
+  static Status do_shift(const OriginJob<T>& job, Workers workers) {
+    auto e = Device::exec((job.particles + block_size - 1) / block_size, workers);
+    run_shift(e, job);
     return Device::finish();
   }
   template <class T>

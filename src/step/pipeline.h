@@ -14,6 +14,7 @@
 #include "kernels/hubs.h"
 #include "kernels/normals.h"
 #include "kernels/reach.h"
+#include "kernels/shift.h"
 #include "kernels/survey.h"
 #include "kernels/write_vertices.h"
 #include "step/exec_contract.h"
@@ -206,6 +207,15 @@ template <class T, class Exec>
 void run_write_vertices(Exec& exec, const VertexJob<T>& job) {
   exec.frame([&](const auto& team) {
     team.for_each_block((job.vertices + block_size - 1) / block_size, WriteVertices<T>{job});
+    team.meet();
+  });
+}
+
+/// Positions of one cloth to another origin.
+template <class T, class Exec>
+void run_shift(Exec& exec, const OriginJob<T>& job) {
+  exec.frame([&](const auto& team) {
+    team.for_each_block((job.particles + block_size - 1) / block_size, ShiftOrigin<T>{job});
     team.meet();
   });
 }

@@ -67,7 +67,8 @@ class ArenaOf final : public Arena, public HostObject {
     for (ClothRecord* cloth : in.cloths) {
       cloth->settling = std::max(0, cloth->settling - input.substeps);
     }
-    return status == Status::ok ? read_survey(in) : status;
+    if (status == Status::ok) status = read_survey(in);
+    return status == Status::ok ? follow_cloths(in, input.workers) : status;
   }
 
   Status normals(const ArenaInput& in, Workers workers) override {
@@ -268,6 +269,33 @@ class ArenaOf final : public Arena, public HostObject {
         backend_.to_host(found_.data(), sim_.survey, found_.size() * sizeof(Survey<T>));
     if (status == Status::ok) take_survey(in, found_);
     return status;
+  }
+
+  /// Takes the origins of cloths that have left theirs along. Inexact would only be a position that
+  /// the shift makes larger: a stray's.
+  Status follow_cloths(const ArenaInput& in, Workers workers) {
+    for (ClothRecord* cloth : in.cloths) {
+      const double3 by = way_of_origin(*cloth);
+      if (same(by, {0, 0, 0})) continue;
+      Status status = shift(sim_.x[0], *cloth, by, workers);
+      if (position_form_ && status == Status::ok) status = shift(sim_.x[2], *cloth, by, workers);
+      if (device_.before.data && status == Status::ok) {
+        status = shift(device_.before, *cloth, by, workers);
+      }
+      if (status != Status::ok) return status;
+      cloth->settling = substeps_to_settle;
+      cloth->origin = plus(cloth->origin, by);
+      cloth->low = minus(cloth->low, by);
+      cloth->high = minus(cloth->high, by);
+      cloth->middle = minus(cloth->middle, by);
+    }
+    return Status::ok;
+  }
+  Status shift(const Vec3Array<T>& of, const ClothRecord& cloth, const double3& by,
+               Workers workers) {
+    const Vec3Array<T> x{of.data + int64_t(cloth.first()) * stride(), of.pitch};
+    const auto particles = static_cast<int>(cloth.cooked().vertices);
+    return backend_.shift(OriginJob<T>{particles, x, narrow<T>(by)}, workers);
   }
 
   /// The positions before a frame, for outputs that lie between it and the next.

@@ -18,7 +18,7 @@ struct ArenaInput {
   const WorldDesc* world;
   Vector<ClothRecord*> cloths;  ///< by kernel, then by creation
   const Vector<ColliderRecord>* colliders;
-  const WindDesc* wind;                                  ///< null: none
+  const WindDesc* wind;                             ///< null: none
   Vector<const scene::CookedColliderMesh*> meshes;  ///< each that a collider uses, once
   Vector<size_t> mesh_of_collider;                  ///< by mesh collider, into `meshes`
   plan::WorldShape shape;

@@ -114,7 +114,7 @@ class PieceFinder {
 };
 template <class ThePart, class T>
 Vector<Piece> pieces_of(ThePart part, Simulation<T>& sim, int64_t first, int64_t count,
-                             int vector_stride) {
+                        int vector_stride) {
   PieceFinder finder(first, count, vector_stride);
   part.arrays(sim).arrays(finder, counts_with(part.part, block_size));
   return finder.pieces();

@@ -262,61 +262,6 @@ void World::Impl::drop_time(double seconds, const char* why) {
   events.push_back({EventType::time_dropped, {}, 0, time, why});
 }
 
-void World::Impl::aim(double way) {
-  const auto due = [way](const auto& led) {
-    return way >= 1 || led.state == std::decay_t<decltype(led)>::State::late;
-  };
-  for (const ClothId id : order) {
-    api::ClothRecord& cloth = *cloths[id.index];
-    if (!cloth.pins_led) continue;
-    for (api::PinRecord& pin : cloth.pins) {
-      const auto& led = pin.way;
-      if (led.state == api::Way<double3>::State::none) continue;
-      pin.target =
-          due(led) ? led.to : api::plus(led.from, api::times(way, api::minus(led.to, led.from)));
-      pin.gliding = true;
-    }
-  }
-  for (api::ColliderRecord& c : colliders) {
-    if (!c.id || c.way.state == api::Way<api::Placed>::State::none) continue;
-    c.target = due(c.way) ? c.way.to : api::between(c.way.from, c.way.to, way);
-    c.gliding = true;
-  }
-}
-
-void World::Impl::arrive(double way) {
-  const auto arrives = [way](auto& led) {
-    if (way >= 1 || led.state == std::decay_t<decltype(led)>::State::late) led.arrive();
-  };
-  for (api::ClothRecord* cloth : built->cloths) {
-    if (!cloth->pins_led) continue;
-    cloth->pins_led = false;
-    for (api::PinRecord& pin : cloth->pins) {
-      if (!pin.gliding) continue;
-      pin.base = pin.target;
-      pin.gliding = false;
-      arrives(pin.way);
-      cloth->pins_led |= pin.way.state != api::Way<double3>::State::none;
-    }
-  }
-  for (api::ColliderRecord& c : colliders) {
-    if (!c.id || !c.gliding) continue;
-    c.placed = c.target;
-    c.since = time;
-    c.gliding = false;
-    arrives(c.way);
-  }
-}
-
-void World::Impl::end_inputs() {
-  for (const ClothId id : order) {
-    api::ClothRecord& cloth = *cloths[id.index];
-    if (!cloth.pins_led) continue;
-    for (api::PinRecord& pin : cloth.pins) pin.way.hold();
-  }
-  for (api::ColliderRecord& c : colliders) c.way.hold();
-}
-
 Status World::Impl::begin(const api::Stride& stride, double way) {
   if (lost) {
     return context->fail(Status::diverged,

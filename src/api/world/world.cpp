@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "api/arena/parts.h"
 #include "api/world/call_guard.h"
@@ -234,84 +233,6 @@ static void check_vertices(const api::ClothRecord& cloth, View<uint32_t> vertice
                i, vertices[i]));
     }
   }
-}
-
-/// Where a pin is at a time, its motion included.
-static double3 place_at(const api::ClothRecord& cloth, const api::PinRecord& pin, double time) {
-  if (pin.motion < 0) return pin.base;
-  return api::plus(pin.base,
-                   api::motion_offset(cloth.motions[static_cast<size_t>(pin.motion)], time));
-}
-
-/// Whether a pin is on its way to a place, or there, already.
-static bool goes_to(const api::PinRecord& pin, const double3& place) {
-  if (pin.motion >= 0) return false;
-  const bool at_rest = pin.way.state == api::Way<double3>::State::none;
-  return api::same(at_rest ? pin.base : pin.way.to, place);
-}
-
-/// A new pin on every free vertex of an ascending list, where the vertex is now.
-Status World::Impl::pin_free(api::ClothRecord& cloth, const std::pmr::vector<uint32_t>& vertices) {
-  std::pmr::vector<api::PinRecord> pins(&context->memory);
-  pins.reserve(cloth.pins.size() + vertices.size());
-  Vector<double3> now;
-  auto next = cloth.pins.begin();
-  for (const uint32_t v : vertices) {
-    while (next != cloth.pins.end() && next->vertex < v) pins.push_back(*next++);
-    const bool pinned = (next != cloth.pins.end() && next->vertex == v) ||
-                        (!pins.empty() && pins.back().vertex == v);
-    if (pinned) continue;
-    if (now.empty()) {
-      Status status = ensure_readable();
-      if (status == Status::ok) status = arena->read(cloth, api::StateArray::position, now);
-      if (status != Status::ok) return status;
-    }
-    api::PinRecord pin;
-    pin.vertex = v;
-    pin.base = api::plus(cloth.origin, now[v]);
-    pins.push_back(pin);
-  }
-  if (now.empty()) return Status::ok;
-  pins.insert(pins.end(), next, cloth.pins.end());
-  cloth.pins = std::move(pins);
-  cloth.repinned();
-  return Status::ok;
-}
-
-Status World::Impl::lead_pins(api::ClothRecord& cloth, View<uint32_t> vertices,
-                              const PointView& targets) {
-  // Ascending, the last target of a vertex last.
-  std::pmr::vector<uint32_t> order_of(vertices.count, &context->memory);
-  std::iota(order_of.begin(), order_of.end(), 0u);
-  const auto before = [&](uint32_t a, uint32_t b) {
-    return vertices[a] != vertices[b] ? vertices[a] < vertices[b] : a < b;
-  };
-  if (!std::is_sorted(order_of.begin(), order_of.end(), before)) {
-    std::sort(order_of.begin(), order_of.end(), before);
-  }
-  std::pmr::vector<uint32_t> sorted(&context->memory);
-  sorted.reserve(vertices.count);
-  for (const uint32_t i : order_of) sorted.push_back(vertices[i]);
-  const size_t pins_before = cloth.pins.size();
-  if (const Status status = pin_free(cloth, sorted); status != Status::ok) return status;
-  bool changes = cloth.pins.size() != pins_before;
-  auto pin = cloth.pins.begin();
-  for (const uint32_t i : order_of) {
-    while (pin->vertex < vertices[i]) ++pin;
-    const double3 place = targets[i];
-    if (pin->can_move && goes_to(*pin, place)) continue;
-    if (!pin->can_move && pin->motion < 0 && api::same(pin->base, place)) continue;
-    changes = true;
-    if (!pin->can_move) dirty = true;
-    const double3 set_out = place_at(cloth, *pin, time + time_owed);  // when the last frame ended
-    pin->base = place_at(cloth, *pin, time);
-    pin->motion = -1;
-    pin->can_move = cloth.pins_led = true;
-    pin->way.give(set_out, place);
-  }
-  if (changes) api::wake(cloth);
-  if (cloth.pins.size() != pins_before) dirty = true;
-  return Status::ok;
 }
 
 Status World::move_pins(ClothId id, View<uint32_t> vertices, PointView targets) noexcept {

@@ -9,39 +9,30 @@
 namespace weft {
 namespace WEFT_BACKEND_NS {
 
-/// A symmetric matrix.
-template <class T>
-struct Symmetric3 {
-  T xx, yy, zz, xy, xz, yz;
-};
-
 /// What the triangles do to a vertex: the force, and the matrix K (N s/m) with force = K u.
 template <class T>
 struct Blow {
   Vec3<T> force;
-  Symmetric3<T> per_velocity;
+  T along;                ///< K = along 1 +
+  Vec3<T> square, mixed;  ///< a symmetric matrix: xx yy zz, yz zx xy
 };
 template <class T>
 WEFT_HD Blow<T> operator+(const Blow<T>& a, const Blow<T>& b) {
-  const Symmetric3<T>&p = a.per_velocity, &q = b.per_velocity;
-  return {a.force + b.force,
-          {p.xx + q.xx, p.yy + q.yy, p.zz + q.zz, p.xy + q.xy, p.xz + q.xz, p.yz + q.yz}};
+  return {a.force + b.force, a.along + b.along, a.square + b.square, a.mixed + b.mixed};
 }
 
 /// A Blow per lane.
 template <class T, int N>
 struct LaneBlow {
-  LaneVec3<T, N> force, diagonal, beside;  ///< xx yy zz, xy xz yz
+  LaneVec3<T, N> force, square, mixed;
+  alignas(N == 1 ? alignof(T) : 64) T along[N];
 
-  WEFT_HD Blow<T> get(int l) const {
-    const Vec3<T> d = diagonal.get(l), o = beside.get(l);
-    return {force.get(l), {d.x, d.y, d.z, o.x, o.y, o.z}};
-  }
+  WEFT_HD Blow<T> get(int l) const { return {force.get(l), along[l], square.get(l), mixed.get(l)}; }
   WEFT_HD void set(int l, const Blow<T>& blow) {
-    const Symmetric3<T>& k = blow.per_velocity;
     force.set(l, blow.force);
-    diagonal.set(l, {k.xx, k.yy, k.zz});
-    beside.set(l, {k.xy, k.xz, k.yz});
+    along[l] = blow.along;
+    square.set(l, blow.square);
+    mixed.set(l, blow.mixed);
   }
 };
 
@@ -60,23 +51,23 @@ WEFT_HD Blow<T> wind_on_triangle(const Wind<T>& wind, Vec3<T> area_normal, Vec3<
   const Vec3<T> slip = u - (flow * per_square) * area_normal;
   const T along = has_area ? wind.tangential * square_root(square * dot(slip, slip)) : T(0);
   const T across = has_area ? wind.normal * through : T(0);
-  // K = across n n^T + along (1 - n n^T)
   const Vec3<T> n = area_normal, more = ((across - along) * per_square) * n;
-  return {(across * flow * per_square) * n + along * slip,
-          {more.x * n.x + along, more.y * n.y + along, more.z * n.z + along, more.x * n.y,
-           more.x * n.z, more.y * n.z}};
+  return {flow * more + along * u,
+          along,
+          {more.x * n.x, more.y * n.y, more.z * n.z},
+          {more.y * n.z, more.z * n.x, more.x * n.y}};
 }
 
 /// y with (1 + s K) y = q. K has no negative eigenvalue, so that no pivot is below 1 but by
 /// rounding.
 template <class T>
-WEFT_HD Vec3<T> relaxed(const Symmetric3<T>& k, T s, Vec3<T> q) {
-  const T one = T(1), xy = s * k.xy, xz = s * k.xz;
-  const T per_x = one / (one + s * k.xx);
+WEFT_HD Vec3<T> relaxed(const Blow<T>& k, T s, Vec3<T> q) {
+  const T one = T(1), rest = one + s * k.along, xy = s * k.mixed.z, xz = s * k.mixed.y;
+  const T per_x = one / (rest + s * k.square.x);
   const T yx = xy * per_x, zx = xz * per_x;
-  const T per_y = one / larger(one + s * k.yy - yx * xy, one);
-  const T yz = s * k.yz - zx * xy, zy = yz * per_y;
-  const T pivot_z = larger(one + s * k.zz - zx * xz - zy * yz, one);
+  const T per_y = one / larger(rest + s * k.square.y - yx * xy, one);
+  const T yz = s * k.mixed.x - zx * xy, zy = yz * per_y;
+  const T pivot_z = larger(rest + s * k.square.z - zx * xz - zy * yz, one);
   const T y = q.y - yx * q.x, z = (q.z - zx * q.x - zy * y) / pivot_z;
   const T middle = y * per_y - zy * z;
   return {q.x * per_x - yx * middle - zx * z, middle, z};
@@ -120,7 +111,7 @@ WEFT_HD void add_wind(const Fan& fan, const ClothParams<T>& cloth, const Particl
     const T w = inverse_mass[i0 + l], mass = w > T(0) ? T(1) / w : T(0);
     const Blow<T> blow = sum.get(l);
     const Vec3<T> braked = (drag_per * w) * displacement<Position>(p, i0 + l) - gravity;
-    const Vec3<T> y = relaxed(blow.per_velocity, tau * w, w * (force.get(l) + blow.force) - braked);
+    const Vec3<T> y = relaxed(blow, tau * w, w * (force.get(l) + blow.force) - braked);
     force.set(l, mass * (y + braked));
   });
 }

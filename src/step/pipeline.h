@@ -63,6 +63,8 @@ StepParams<T> step_params(const Frame<T>& frame, int s) {
   step.dt = T(frame.dt);
   step.ratio = T(frame.dt / before);
   step.a_factor = T(0.5 * frame.dt * (frame.dt + before));
+  step.square = T(frame.dt * frame.dt);
+  step.newcomers = s == 0 && frame.newcomers;
   step.time = T((s + 1) * frame.dt);
   step.time_before = T(s * frame.dt);
   step.fraction = T(double(s + 1) / frame.substeps);
@@ -178,8 +180,6 @@ template <class T, class Exec>
 void run_start(Exec& exec, Frame<T>& frame) {
   StepParams<T> step = step_params(frame, 0);
   step.update = Update::start;
-  step.dt = T(frame.dt_before);
-  step.ratio = T(1);
   ParticleBuffers<T> p = buffers(frame.sim, frame.position_form);
   if (frame.position_form) p.d_out = frame.sim.x[1];
   exec.frame([&](const auto& team) { advance(team, frame.sim, p, step); });
@@ -195,8 +195,6 @@ template <class T, class Exec>
 void run_accelerations(Exec& exec, const Frame<T>& frame) {
   StepParams<T> step = step_params(frame, 0);
   step.update = Update::acceleration;
-  step.dt = T(frame.dt_before);
-  step.ratio = T(1);
   exec.frame([&](const auto& team) {
     advance(team, frame.sim, buffers(frame.sim, frame.position_form), step);
   });

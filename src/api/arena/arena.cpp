@@ -20,7 +20,7 @@ class ArenaOf final : public Arena, public HostObject {
       : context_(context), backend_(*context.backend), colliders_(backend_), pins_(backend_) {}
   ~ArenaOf() override { release(); }
 
-  Status build(const ArenaInput& in, double dt_before, double time, Workers workers) override {
+  Status build(const ArenaInput& in, double dt, double time, Workers workers) override {
     release();
     Status status = allocate(plan::device_bytes(in.shape, stride()));
     if (status != Status::ok) return status;
@@ -33,17 +33,15 @@ class ArenaOf final : public Arena, public HostObject {
       in.cloths[c]->settling = substeps_to_settle;
       in.cloths[c]->parts_changed = 0;
     }
-    status = fill(in, dt_before, time);
+    status = fill(in, dt, time);
     if (status != Status::ok) return status;
     params_.resize(in.cloths.size());
     found_.resize(static_cast<size_t>(places.back().survey_groups));
     status = upload_params(in);
     if (status != Status::ok) return status;
-    Frame<T> frame = make_frame(in, {1, dt_before, dt_before, time, workers});
+    Frame<T> frame = make_frame(in, {1, dt, dt, time, workers});
     frame.sim.activity = nullptr;  // nobody sleeps through these
-    const bool any =
-        std::any_of(in.cloths.begin(), in.cloths.end(), [](auto* c) { return !c->moved; });
-    if (any && in.world->start != Start::lagged) {
+    if (any_starts(in) && in.world->start != Start::lagged) {
       status = backend_.start(frame);
       sim_ = frame.sim;
       sim_.activity = device_.sim.activity;
@@ -80,13 +78,16 @@ class ArenaOf final : public Arena, public HostObject {
     return backend_.normals(frame);
   }
 
-  Status accelerations(const ArenaInput& in, double dt_before, Workers workers) override {
+  Status accelerations(const ArenaInput& in, double dt, double dt_before,
+                       Workers workers) override {
     Frame<T> frame{};
     frame.sim = sim_;
     frame.workers = workers;
     frame.substeps = 1;
     frame.position_form = position_form_;
-    frame.dt = frame.dt_before = dt_before;
+    frame.newcomers = any_starts(in);
+    frame.dt = frame.newcomers ? dt : dt_before;
+    frame.dt_before = dt_before;
     frame.gravity = narrow<T>(in.world->gravity);
     frame.wind = wind_of(in);
     frame.sim.activity = nullptr;
@@ -217,10 +218,10 @@ class ArenaOf final : public Arena, public HostObject {
 
   /// Writes the state of the records to the device, through an image where the host cannot reach
   /// it.
-  Status fill(const ArenaInput& in, double dt_before, double time) {
+  Status fill(const ArenaInput& in, double dt, double time) {
     if (backend_.info().host_memory) {
       std::memset(memory_, 0, allocated_);
-      fill_at(in, dt_before, time, device_);
+      fill_at(in, dt, time, device_);
       return Status::ok;
     }
     Vector<char> memory(allocated_ + 128);
@@ -228,13 +229,17 @@ class ArenaOf final : public Arena, public HostObject {
     size_t room = memory.size();
     char* image = static_cast<char*>(std::align(128, allocated_, base, room));
     plan::DeviceArrays<T> arrays = plan::cut<T>(in.shape, stride(), image);
-    fill_at(in, dt_before, time, arrays);
+    fill_at(in, dt, time, arrays);
     return backend_.to_device(memory_, image, allocated_);
   }
-  void fill_at(const ArenaInput& in, double dt_before, double time, plan::DeviceArrays<T>& image) {
-    fill_image<T>(in, stride(), dt_before, time, image);
+  void fill_at(const ArenaInput& in, double dt, double time, plan::DeviceArrays<T>& image) {
+    fill_image<T>(in, stride(), dt, time, image);
     colliders_.prepare(in, image);
     pins_.prepare(in, image.sim.pins);
+  }
+
+  static bool any_starts(const ArenaInput& in) {
+    return std::any_of(in.cloths.begin(), in.cloths.end(), [](auto* c) { return !c->moved; });
   }
 
   Frame<T> make_frame(const ArenaInput& in, const FrameInput& input) {
@@ -245,6 +250,7 @@ class ArenaOf final : public Arena, public HostObject {
     frame.position_form = position_form_;
     frame.dt = input.dt;
     frame.dt_before = input.dt_before;
+    frame.newcomers = any_starts(in);
     frame.gravity = narrow<T>(in.world->gravity);
     frame.wind = wind_of(in);
     frame.workers = input.workers;

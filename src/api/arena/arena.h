@@ -57,13 +57,14 @@ class Arena {
  public:
   virtual ~Arena() = default;
   /// Gives the records their places, fills and uploads; runs the start pass of cloths that have not
-  /// moved, and surveys. `time`: of the world.
-  virtual Status build(const ArenaInput&, double dt_before, double time, Workers) = 0;
+  /// moved, and surveys. `dt`: of the substep to come; `time`: of the world.
+  virtual Status build(const ArenaInput&, double dt, double time, Workers) = 0;
   /// Copies the state of every moved cloth to its record.
   virtual Status save(const ArenaInput&) = 0;
   /// Advances and surveys: the records learn where their cloths are.
   virtual Status frame(const ArenaInput&, const FrameInput&) = 0;
-  virtual Status accelerations(const ArenaInput&, double dt_before, Workers) = 0;
+  /// `dt`: of the substep that the start of cloths that have not moved belongs to.
+  virtual Status accelerations(const ArenaInput&, double dt, double dt_before, Workers) = 0;
   virtual Status normals(const ArenaInput&, Workers) = 0;
   /// Of one cloth in caller order; positions are local. Accelerations and normals: after the call
   /// that makes them; both overwrite the other.

@@ -256,8 +256,9 @@ void ColliderInputs<T>::stage_activity(const ClothRecord& cloth, const FrameInpu
   if (followed_.empty()) return;
   const double time = input.substeps * input.dt;
   const double size = length(minus(cloth.high, cloth.low));
+  const double before = cloth.moved ? input.dt_before : input.dt;
   const double margin =
-      1.5 * cloth.furthest * (time / input.dt_before) + gravity * time * time + 1e-3 * size;
+      1.5 * cloth.furthest * (time / before) + gravity * time * time + 1e-3 * size;
   if (!std::isfinite(margin) || !std::isfinite(size)) return;
   const size_t near = find_near(cloth, margin, time, first_near, activity);
   activity.nearness = near == 0 ? Nearness::cloth : Nearness::block;

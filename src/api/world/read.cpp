@@ -25,8 +25,9 @@ Status World::Impl::make_result(api::StateArray which) {
                                                                : Result::none;
   if (wanted == Result::none || wanted == result) return Status::ok;
   const double dt = dt_before > 0 ? dt_before : built_dt;
-  Status status = wanted == Result::normals ? arena->normals(*built, context->workers())
-                                            : arena->accelerations(*built, dt, context->workers());
+  Status status = wanted == Result::normals
+                      ? arena->normals(*built, context->workers())
+                      : arena->accelerations(*built, built_dt, dt, context->workers());
   if (status == Status::ok && wanted == Result::accelerations) {
     api::Overflow found;
     status = find_overflow(found);
@@ -138,7 +139,7 @@ Status World::read_velocities(ClothId id, double3* out) noexcept {
   if (status != Status::ok) return status;
   return read_cloth(impl_, id, api::StateArray::displacement,
                     [&](const api::ClothRecord& cloth, uint32_t v, const double3& d) {
-                      const double dt = impl_->dt_before > 0 ? impl_->dt_before : impl_->built_dt;
+                      const double dt = cloth.moved ? impl_->dt_before : impl_->built_dt;
                       const double3 backward = api::times(1 / dt, d);
                       if (const api::PinRecord* pin = cloth.pin_of(v)) {
                         const bool moves = pin->motion >= 0;

@@ -118,8 +118,7 @@ Status World::Impl::ensure_built(double dt, uint32_t substeps) {
   dirty = true;
   result = Result::none;
   api::ArenaInput in = arena_input(substeps);
-  const double before = dt_before > 0 ? dt_before : dt;
-  const Status status = arena->build(in, before, time, context->workers());
+  const Status status = arena->build(in, dt, time, context->workers());
   if (status != Status::ok) return status;
   starting = false;
   for (api::ClothRecord* cloth : in.cloths) {

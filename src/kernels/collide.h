@@ -107,10 +107,17 @@ struct CollideStage {
     }
     const Shifted<T> before = shifted(shape.surface, step, 1);
     const Shifted<T> now = shifted(shape.surface, step, 0);
-    const Concern<Shape, T> concern{p.x_in, p.x_out, shape, before.by, now.by};
-    const bool touched = lanes.any([&](int l) WEFT_LANE { return concern(i0 + l); });
+    const bool touched = step.position_form ? concerns<true>(shape, before, now, i0, lanes)
+                                            : concerns<false>(shape, before, now, i0, lanes);
     if (touched) respond(shape, before, now, i0, lanes);
     return touched;
+  }
+
+  template <bool Position, class Shape, int N>
+  WEFT_HD bool concerns(const Shape& shape, const Shifted<T>& before, const Shifted<T>& now, int i0,
+                        Lanes<N> lanes) const {
+    const Concern<T, Position, Shape> concern{p, shape, before.by, now.by};
+    return lanes.any([&](int l) WEFT_LANE { return concern(i0 + l); });
   }
 
   template <int N>
@@ -182,7 +189,8 @@ struct CollideStage {
   template <bool Position, class Shape, class Placement, int N>
   WEFT_HD void respond_as(const Shape& shape, const Placement& before, const Placement& now, int i0,
                           Lanes<N> lanes) const {
-    const Contact<T, Position, Shape, Placement> contact{sim.inverse_mass, p, shape, before, now};
+    const Contact<T, Position, Shape, Placement> contact{sim.inverse_mass, p,   shape,
+                                                         before,           now, step.ratio};
     if constexpr (IsSwept<Shape>::value) {
       const bool fast = lanes.any([&](int l) WEFT_LANE { return contact.is_fast(i0 + l); });
       if (fast) stop_at_entry(contact, i0, lanes);

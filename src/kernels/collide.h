@@ -167,6 +167,10 @@ struct CollideStage {
       wanted.hit[l] = contact.stopped ? T(2) : T(1);
       wanted.push.set(l, contact.to - to.get(l));
       wanted.normal.set(l, contact.normal);
+      const StartOnMesh<T> start =
+          start_on_mesh(mesh.grid, from.get(l), contact, sim.near_memory[i0 + l], number);
+      wanted.start.set(l, start.normal);
+      wanted.start_depth[l] = start.depth;
     });
     if (!any) return false;
     const MeshResponse<T, Position, Placement, N> response{

@@ -88,7 +88,8 @@ struct MeshResponse {
     const T per_depth = T(1) / (cosine < T(0.5) ? T(1) : cosine);
     const T made = per_depth * larger(T(0), depth - larger(T(0), start_depth));
     const bool adds = made > T(-2) * dot(slip, start_now);
-    const bool flat = cosine == T(1), from_start = !(flat | adds | (cosine < T(0.5)));
+    const bool flat = !(magnitude2(bend) > T(0));
+    const bool from_start = !(flat | adds | (cosine < T(0.5)));
     const Vec3<T> normal = select(from_start, start_now, turned(now, rotation * end));
     const Vec3<T> push = select(from_start, (per_depth * depth) * start_now,
                                 turned(now, rotation * whole));

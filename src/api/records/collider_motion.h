@@ -27,6 +27,9 @@ Placed turn_of_edges(const double3* from, const double3* to);
 /// First `first`, then `then`.
 Placed after(const Placed& then, const Placed& first);
 
+/// As far beyond `to` as that is from `from`.
+Placed continued(const Placed& from, const Placed& to);
+
 double3 rotate(const double3* rows, const double3& v);
 double3 to_world(const Placed&, const double3& described);
 bool same_rotation(const Placed&, const Placed&);

@@ -116,6 +116,7 @@ Status World::Impl::ensure_built(double dt, uint32_t substeps) {
   }
   dirty = true;
   result = Result::none;
+  probed = false;
   api::ArenaInput in = arena_input(substeps);
   const double before = dt_before > 0 ? dt_before : dt;
   const Status status = arena->build(in, before, time, context->workers());
@@ -251,6 +252,7 @@ Status World::Impl::begin(double dt, uint32_t substeps) {
   if (status != Status::ok) return status;
   wake_by_colliders(dt);
   result = Result::none;
+  probed = false;
   flight.dt = dt;
   flight.substeps = substeps;
   return Status::ok;
@@ -313,7 +315,9 @@ Status World::Impl::land() {
     publish_bounds(*cloth);
   }
   for (api::ColliderRecord& c : colliders) {
-    if (!c.id || !c.gliding) continue;
+    c.went = c.id && c.gliding;
+    if (!c.went) continue;
+    c.was = c.placed;
     c.placed = c.target;
     c.since = time;
     c.gliding = false;

@@ -112,10 +112,17 @@ struct CollideStage {
   template <class Shape, class Placement, int N>
   WEFT_HD bool meet_placed(const Shape& shape, const Placement& before, const Placement& now,
                            int i0, Lanes<N> lanes) const {
-    const Concern<Shape, Placement, T> concern{p.x_in, p.x_out, shape, before, now};
-    const bool touched = lanes.any([&](int l) WEFT_LANE { return concern(i0 + l); });
+    const bool touched = step.position_form ? concerns<true>(shape, before, now, i0, lanes)
+                                            : concerns<false>(shape, before, now, i0, lanes);
     if (touched) respond(shape, before, now, i0, lanes);
     return touched;
+  }
+
+  template <bool Position, class Shape, class Placement, int N>
+  WEFT_HD bool concerns(const Shape& shape, const Placement& before, const Placement& now, int i0,
+                        Lanes<N> lanes) const {
+    const Concern<T, Position, Shape, Placement> concern{p, shape, before, now};
+    return lanes.any([&](int l) WEFT_LANE { return concern(i0 + l); });
   }
 
   template <int N>
@@ -165,6 +172,10 @@ struct CollideStage {
       wanted.hit[l] = contact.stopped ? T(2) : T(1);
       wanted.push.set(l, contact.to - to.get(l));
       wanted.normal.set(l, contact.normal);
+      const StartOnMesh<T> start =
+          start_on_mesh(mesh.grid, from.get(l), contact, sim.near_memory[i0 + l], number);
+      wanted.start.set(l, start.normal);
+      wanted.start_depth[l] = start.depth;
     });
     if (!any) return false;
     const MeshResponse<T, Position, Placement, N> response{
@@ -187,7 +198,8 @@ struct CollideStage {
   template <bool Position, class Shape, class Placement, int N>
   WEFT_HD void respond_as(const Shape& shape, const Placement& before, const Placement& now, int i0,
                           Lanes<N> lanes) const {
-    const Contact<T, Position, Shape, Placement> contact{sim.inverse_mass, p, shape, before, now};
+    const Contact<T, Position, Shape, Placement> contact{sim.inverse_mass, p,   shape,
+                                                         before,           now, step.ratio};
     if constexpr (IsSwept<Shape>::value) {
       const bool fast = lanes.any([&](int l) WEFT_LANE { return contact.is_fast(i0 + l); });
       if (fast) stop_at_entry(contact, i0, lanes);

@@ -69,6 +69,61 @@ class ArenaOf final : public Arena, public HostObject {
     return status == Status::ok ? follow_cloths(in, input.workers) : status;
   }
 
+  Status probe(const ArenaInput& in, const FrameInput& input) override {
+    const int64_t elements = int64_t(sim_.blocks) * block_size;
+    Vec3Array<T> x{}, d{};
+    const auto cut = [&](char* base) {
+      plan::Cutter cutter(base, static_cast<size_t>(stride()));
+      cutter(x, elements);
+      cutter(d, elements);
+      return cutter.bytes();
+    };
+    const size_t bytes = cut(nullptr);
+    void* memory = backend_.allocate(context_.memory.hooks(), bytes);
+    if (!memory) {
+      return context_.fail(
+          Status::out_of_memory,
+          text("no %zu bytes of device memory (velocities need them) make the scene smaller",
+               bytes));
+    }
+    cut(static_cast<char*>(memory));
+    Status status = colliders_.upload(in, input, device_);
+    if (status == Status::ok) status = pins_.upload(in, input, device_.sim.pins);
+    Frame<T> frame = make_frame(in, input);
+    const Vec3Array<T> moved = position_form_ ? x : d;
+    frame.sim.activity = nullptr;  // no colliders
+    if (status == Status::ok) status = backend_.probe(frame, x, d);
+    if (status == Status::ok) status = fetch(moved, 0, size_t(elements), probed_free_);
+    frame.sim.activity = device_.sim.activity;
+    frame.by_block = colliders_.by_block();
+    if (status == Status::ok) status = backend_.probe(frame, x, d);
+    if (status == Status::ok) status = fetch(moved, 0, size_t(elements), probed_);
+    backend_.release(context_.memory.hooks(), memory, bytes);
+    return status;
+  }
+
+  Status read_probe(const ClothRecord& cloth, Vector<Probed>& out) override {
+    const uint32_t vertices = cloth.cooked().vertices;
+    Vector<Vec3<T>> now;
+    if (position_form_) {
+      const Status status = fetch(sim_.x[0], cloth.first(), vertices, now);
+      if (status != Status::ok) return status;
+    }
+    const bool tethered = TethersPart::used(cloth);
+    out.resize(vertices);
+    for (uint32_t v = 0; v < vertices; ++v) {
+      const uint32_t s = cloth.cooked().storage(v);
+      const Vec3<T>&with = probed_[size_t(cloth.first()) + s],
+                   &without = probed_free_[size_t(cloth.first()) + s];
+      const bool same = with.x == without.x && with.y == without.y && with.z == without.z;
+      out[v] = {{with.x, with.y, with.z}, tethered || !same};
+      if (position_form_) {
+        out[v].displacement = minus(out[v].displacement, {now[s].x, now[s].y, now[s].z});
+      }
+    }
+    return Status::ok;
+  }
+
   Status normals(const ArenaInput& in, Workers workers) override {
     unsettle(in);
     Frame<T> frame{};
@@ -408,6 +463,7 @@ class ArenaOf final : public Arena, public HostObject {
 
   Vector<ClothParams<T>> params_;
   Vector<Survey<T>> found_;
+  Vector<Vec3<T>> probed_, probed_free_;  ///< of the last probe, as the form keeps it
   ColliderInputs<T> colliders_;
   PinInputs<T> pins_;
 };

@@ -152,6 +152,19 @@ Placed turned_further(const Placed& turn, const Placed& from) {
   return both;
 }
 
+Placed continued(const Placed& from, const Placed& to) {
+  const auto [w, x, y, z] = from.rotation;
+  Placed back;
+  back.rotation = {w, -x, -y, -z};
+  rows_of(back.rotation, back.rows);
+  const Placed turn = after(to, back);  // the translation has no meaning
+  Placed on = to;
+  on.rotation = blend(after(turn, to).rotation, 1, {0, 0, 0, 0}, 0);
+  rows_of(on.rotation, on.rows);
+  on.translate = plus(to.translate, minus(to.translate, from.translate));
+  return on;
+}
+
 double3 rotate(const double3* rows, const double3& v) {
   return {inner(rows[0], v), inner(rows[1], v), inner(rows[2], v)};
 }

@@ -140,6 +140,7 @@ void World::Impl::move(api::ColliderRecord& c, const api::Placed& to, Move how) 
   c.since = time;
   if (how == Move::teleport) {
     c.placed = to;
+    c.went = false;
     c.gliding = false;
     c.way.arrive();
     if (!api::same_place(from, to)) wake_touched(c, 0);

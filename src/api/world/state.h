@@ -77,6 +77,8 @@ struct __attribute__((visibility("hidden"))) World::Impl : HostObject {
   Status ensure_readable();
   /// Accelerations and normals are made when they are asked for, for all cloths at once.
   Status make_result(api::StateArray);
+  /// What a substep more would do where colliders or tethers may hold a vertex, else nothing.
+  Status probe(const api::ClothRecord&, Vector<api::Probed>& out);
   /// Triangles of meshes go to the device when their normals are first asked for.
   void want_normals();
   /// A step in three parts: what the world does before the arena works, the arena's work, which may
@@ -147,6 +149,7 @@ struct __attribute__((visibility("hidden"))) World::Impl : HostObject {
   bool dirty = true;                     ///< the arena must be made anew
   /// What the arena's room for results holds of the present.
   enum class Result : uint8_t { none, accelerations, normals } result = Result::none;
+  bool probed = false;    ///< the arena knows what the next substep would do
   bool starting = false;  ///< some cloth on the device has not moved yet
   double built_dt = 0;    ///< step that the start displacements belong to
   uint32_t built_substeps = 0;

@@ -117,6 +117,7 @@ Status World::Impl::ensure_built(double dt, uint32_t substeps) {
   }
   dirty = true;
   result = Result::none;
+  probed = false;
   api::ArenaInput in = arena_input(substeps);
   const Status status = arena->build(in, dt, time, context->workers());
   if (status != Status::ok) return status;
@@ -272,6 +273,7 @@ Status World::Impl::begin(const api::Stride& stride, double way) {
   aim(way);
   wake_by_colliders(stride.dt);
   result = Result::none;
+  probed = false;
   if (stride.dropped > 0) {
     drop_time(stride.dropped, "the step took max_substeps and was not as long as asked for");
   }

@@ -90,6 +90,10 @@ struct CollideStage {
       const int bit = j - walk.activity.near_first[0];
       if (bit < 64 && ((walk.mask >> bit) & 1) == 0) continue;
       const int index = sim.colliders.near[j];
+      if (!concerns(shapes[index], walk.region, i0, lanes)) {
+        next = index + 1;
+        continue;
+      }
       if (meet(shapes[index], count, i0, lanes)) every = has_left(walk.region, i0, lanes);
       next = index + 1;
     }
@@ -97,6 +101,41 @@ struct CollideStage {
       meet(shapes[index], count, i0, lanes);
     }
     return every;
+  }
+
+  /// Whether a block that is in its region may have to do with a collider: `meet` says for sure. Of
+  /// one that turns this looks at where it is now, with something around it for rounding and, where
+  /// a particle would be fast, for the turn.
+  template <class Shape, int N>
+  WEFT_HD bool concerns(const Shape& shape, const Region<T>& region, int i0, Lanes<N> lanes) const {
+    return shape.surface.turn < 0 || concerns_turning(shape, region, i0, lanes);
+  }
+  template <int N>
+  WEFT_HD bool concerns(const MeshCollider<T>&, const Region<T>&, int, Lanes<N>) const {
+    return true;
+  }
+  template <class Shape, int N>
+  WEFT_HD_COLD bool concerns_turning(const Shape& shape, const Region<T>& region, int i0,
+                                     Lanes<N> lanes) const {
+    const Turned<T> before = turned(sim.colliders, shape.surface, step, 1);
+    const Turned<T> now = turned(sim.colliders, shape.surface, step, 0);
+    const Vec3<T> center = now.pivot + now.by, low = region.low - center;
+    const Vec3<T> high = region.high - center;
+    const Vec3<T> far{larger(magnitude(low.x), magnitude(high.x)),
+                      larger(magnitude(low.y), magnitude(high.y)),
+                      larger(magnitude(low.z), magnitude(high.z))};
+    const T reach = square_root(dot(far, far));
+    const T size = size_of(shape);
+    const T rounding =
+        T(8) * (rounding_of(region.low) + rounding_of(region.high) + rounding_of(center) +
+                rounding_of(now.pivot) + rounding_of(Vec3<T>{reach, size, T(0)}));
+    const T turn = square_root(turn2_between(before, now)) * reach;
+    Shape around = grown(at_present(now, shape), rounding);
+    around.surface.sweep = larger(T(0), shape.surface.sweep - (turn + rounding));
+    const Shifted<T> none{{T(0), T(0), T(0)}}, ago{before.by - now.by};
+    const Concern<Shape, Shifted<T>, T> concern{p.x_in, p.x_out, around, ago, none};
+    const int count = region.count;
+    return lanes.any([&](int l) WEFT_LANE { return (l < count) & concern(i0 + l); });
   }
 
   /// Each returns whether it has changed anything, or may have. `count`: as in Region.

@@ -14,7 +14,6 @@ struct Described {
   struct Name {
     const char* view;
     uint32_t index;
-    std::string shown() const { return text("%s[%u]", view, index); }  ///< "capsules[3]"
   };
   std::vector<api::ColliderRecord> records;
   std::vector<Name> names;
@@ -28,7 +27,7 @@ void describe(View<Desc> views, const char* name, Described& out) {
     try {
       out.records.push_back(api::record_of(views[i]));
     } catch (const InvalidInput& problem) {
-      throw InvalidInput(text("%s: %s", out.names.back().shown().c_str(), problem.what()));
+      throw InvalidInput(text("%s[%u]: %s", name, i, problem.what()));
     }
   }
 }
@@ -96,9 +95,8 @@ Status World::move_collider_set(ColliderSetId id, const ColliderSetDesc& desc, M
     for (size_t i = 0; i < all.records.size() && i < set->members.size(); ++i) {
       api::ColliderRecord* member = impl_->find(set->members[i]);
       if (!member || member->shape != all.records[i].shape) break;
-      if (!desc.may_stretch && !same_sizes(*member, all.records[i])) {
-        check_sizes(*member, all.records[i], all.names[i].shown().c_str());
-      }
+      const Described::Name& name = all.names[i];
+      if (!desc.may_stretch) check_sizes(*member, all.records[i], name.view, name.index);
       moves.emplace_back(member, &all.records[i]);
     }
     if (moves.size() != all.records.size() || moves.size() != set->members.size()) {

@@ -53,8 +53,9 @@ class TurnInParts {
   void next(double3* rows);
 
  private:
-  Quaternion part_, now_;
-  double3 last_[3];
+  // rows = along + cos across + sin beside, by Rodrigues' formula
+  double3 along_[3], across_[3], beside_[3], last_[3];
+  double part_cos_, part_sin_, cos_ = 1, sin_ = 0;
   int left_;
 };
 

@@ -139,8 +139,8 @@ Status World::Impl::probe(const api::ClothRecord& cloth, std::vector<api::Probed
     }
     api::ArenaInput in = *built;
     in.colliders = &on;
-    const Status status = arena->probe(
-        in, {int(substeps_last), dt_before, dt_before, time, context->workers()});
+    const Status status =
+        arena->probe(in, {int(substeps_last), dt_before, dt_before, time, context->workers()});
     if (status != Status::ok) return status;
     probed = true;
   }

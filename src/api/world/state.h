@@ -84,6 +84,7 @@ struct __attribute__((visibility("hidden"))) World::Impl {
   void start_flight();
   void wait_for_flight() noexcept;
   void tell_who_sleeps(api::ClothRecord&);
+  Status tell_of_stretch();
   void start_bounds_of(api::ClothRecord&) const;
   void publish_bounds(api::ClothRecord&) const;
   Status report_not_finite();

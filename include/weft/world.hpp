@@ -184,6 +184,10 @@ enum class EventType : uint8_t {
   woke,              ///< and moves again
   time_dropped,      ///< max_steps_per_advance or max_substeps: Stats::time_dropped has grown
   force_overflow,    ///< a spring force left the range of Accumulate::fixed64; `vertex` is an end
+  large_stretch,  ///< a spring is stretched by more than 10 times its rest length; `vertex` is an
+                  ///< end. Once, until all are below it. Some springs are looked at after a
+                  ///< step, all of 16,000 vertices or triangles within 16 steps
+  large_energy,   ///< the springs of a cloth are stretched to 3 times their length on average
 };
 WEFT_API const char* to_string(EventType) noexcept;
 struct Event {

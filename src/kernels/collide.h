@@ -189,8 +189,12 @@ struct CollideStage {
     const MeshEnds<T, Placement> ends{p.x_in, p.x_out, mesh.rotation, mesh.translate, before, now};
     const CellFinder<T> cells = cells_of(mesh.grid);
     const T short2 = T(0.25) * mesh.grid.thickness * mesh.grid.thickness;
-    LaneVec3<T, N> from, to;
+    LaneVec3<T, N> from, to, led;
     int32_t cell[N], brick[N];
+    if constexpr (Position) {
+      const Vec3Array<T> previous = p.d_in;
+      lanes.each([&](int l) WEFT_LANE { led.set(l, ends.way_before(previous, i0 + l)); });
+    }
     lanes.each([&](int l) WEFT_LANE {
       const Vec3<T> p0 = ends.start(i0 + l), p1 = ends.end(i0 + l);
       from.set(l, p0);
@@ -204,6 +208,9 @@ struct CollideStage {
     bool any = false;
     lanes.each_alone([&](int l) {
       wanted.hit[l] = T(0);
+      if constexpr (Position) {
+        any |= take_back(mesh, now, led.get(l), from.get(l), to, cells, cell[l], brick[l], i0, l);
+      }
       if (cell[l] == no_cell) return;
       if (cell[l] != is_fast && !is_occupied(mesh.grid, brick[l])) return;
       const MeshContact<T> contact =
@@ -222,6 +229,27 @@ struct CollideStage {
     const MeshResponse<T, Position, Placement, N> response{
         sim.inverse_mass, p, mesh.rotation, mesh.surface.friction, before, now};
     lanes.each([&](int l) WEFT_LANE { response(l, i0 + l, wanted); });
+    return true;
+  }
+
+  /// The position form goes on with the way out of deep inside: it is taken back. Returns whether.
+  template <class Placement, int N>
+  WEFT_HD bool take_back(const MeshCollider<T>& mesh, const Placement& now, Vec3<T> way_before,
+                         Vec3<T> from, LaneVec3<T, N>& to, const CellFinder<T>& cells,
+                         int32_t& cell, int32_t& brick, int i0, int l) const {
+    const T little = T(0.05) * mesh.grid.thickness;
+    const bool free = sim.inverse_mass[i0 + l] > T(0);
+    if (!free || !(magnitude2(way_before) > little * little)) return false;
+    const int32_t number = 1 + static_cast<int32_t>(&mesh - sim.colliders.meshes);
+    const Vec3<T> by =
+        step.ratio * thrown(mesh.grid, from, way_before, sim.near_memory[i0 + l], number);
+    if (!(magnitude2(by) > T(0))) return false;
+    const Vec3<T> end = to.get(l) - by;
+    to.set(l, end);
+    store(p.x_out, i0 + l, load(p.x_out, i0 + l) - turned(now, mesh.rotation * by));
+    const CellAndBrick at = cells(end);
+    cell = is_long(mesh.grid, end - from) ? is_fast : at.cell;
+    brick = at.brick;
     return true;
   }
 

@@ -77,8 +77,8 @@ struct Contact {
     if constexpr (!Position) store(p.d_out, i, d + (against * normal + drag));
   }
 
-  /// A particle inside goes to the surface along the normal where the substep began, as SHAKE puts a
-  /// constraint's force (Ryckaert, Ciccotti and Berendsen 1977): without friction a way along a
+  /// A particle inside goes to the surface along the normal where the substep began, as SHAKE puts
+  /// a constraint's force (Ryckaert, Ciccotti and Berendsen 1977): without friction a way along a
   /// curved surface keeps its speed, and out of a convex shape nothing gains any while the normals
   /// of both ends are within 60 degrees (docs/collisions.md). Where they are not, as past the edge
   /// of a box, and from deep inside it goes along the normal where it ended, and its velocity takes

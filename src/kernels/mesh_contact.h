@@ -203,6 +203,22 @@ WEFT_HD MeshContact<T> mesh_contact(const TriangleGrid<T>& grid, Vec3<T> p0, Vec
   return touch(grid, near, p0, p1).contact;
 }
 
+/// How much of the way before p0 led out of deep inside: the position form would go on with it.
+template <class T>
+WEFT_HD_COLD Vec3<T> thrown(const TriangleGrid<T>& grid, Vec3<T> p0, Vec3<T> way_before,
+                            const NearMemory<T>& memory, int32_t mesh) {
+  const Vec3<T> none{T(0), T(0), T(0)};
+  const Nearest<T> was = nearest(grid, p0 - way_before);
+  const T within = T(0.95) * grid.thickness;
+  const bool was_deep = was.triangle >= 0 && (was.inside || was.distance2 < within * within);
+  if (!was_deep) return none;
+  const Nearest<T> near = nearest_about(grid, p0, memory, mesh);
+  const T distance = square_root(near.distance2);
+  if (near.triangle < 0 || near.inside || distance < within) return none;
+  const Vec3<T> normal = (T(1) / distance) * near.away;
+  return larger(T(0), dot(way_before, normal)) * normal;
+}
+
 /// The surface at the thickness where a substep begins.
 template <class T>
 struct StartOnMesh {

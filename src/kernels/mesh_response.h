@@ -18,6 +18,12 @@ struct MeshEnds {
   WEFT_HD Vec3<T> start(int i) const {
     return back(rotation, at_start(before, load(x_in, i)) - translate);
   }
+  /// Of the substep before, relative to the mesh, which is taken to have moved as it does now.
+  WEFT_HD Vec3<T> way_before(Vec3Array<T> previous, int i) const {
+    const Vec3<T> x0 = load(x_in, i), along = carried(before, now, x0);
+    const Vec3<T> from = load(previous, i) + along;
+    return back(rotation, at_start(before, x0) - at_start(before, from));
+  }
   WEFT_HD Vec3<T> end(int i) const {
     return back(rotation, at_start(now, load(x_out, i)) - translate);
   }
@@ -91,8 +97,8 @@ struct MeshResponse {
     const bool flat = !(magnitude2(bend) > T(0));
     const bool from_start = !(flat | adds | (cosine < T(0.5)));
     const Vec3<T> normal = select(from_start, start_now, turned(now, rotation * end));
-    const Vec3<T> push = select(from_start, (per_depth * depth) * start_now,
-                                turned(now, rotation * whole));
+    const Vec3<T> push =
+        select(from_start, (per_depth * depth) * start_now, turned(now, rotation * whole));
     const T across = dot(slip, normal), closing = larger(T(0), -across);
     const T moved = from_start ? made : closing;
     const Vec3<T> sliding = slip - across * normal;
@@ -101,8 +107,8 @@ struct MeshResponse {
     const Vec3<T> drag = (-held) * sliding;
     // What lay on the surface and sticks there is where it was, to the last bit.
     const T bent = magnitude(dot(sliding, turned(now, rotation * bend)));
-    const T above = from_start ? magnitude(start_depth) - bent
-                               : magnitude(closing - dot(push, normal));
+    const T above =
+        from_start ? magnitude(start_depth) - bent : magnitude(closing - dot(push, normal));
     const bool lay = above <= rounding_of(x);
     const bool stopped = wanted.hit[l] > T(1);
     const bool holds = (magnitude2(sliding) <= most * most) & (most > T(0));

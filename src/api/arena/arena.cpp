@@ -13,6 +13,24 @@ namespace weft::api {
 
 namespace {
 
+/// Items of StretchWatch that a frame looks at: few enough to cost nothing beside its substeps.
+uint64_t watched_in_a_frame(uint64_t items) {
+  return std::min<uint64_t>(1024, std::max<uint64_t>(32, items / 16));
+}
+
+template <class Position>
+void look_at_springs(ClothRecord& cloth, uint64_t count, Position position) {
+  StretchWatch& watch = cloth.stretch;
+  const scene::CookedFabric& fabric = cloth.cooked();
+  if (watch.hair < 0) watch.hair = scene::least_rest(fabric);
+  const uint64_t end = std::min(scene::stretch_items(fabric), watch.next + count);
+  watch.now = {};
+  scene::add_stretches(fabric, watch.next, end, watch.hair, position, watch.now);
+  watch.longer_squares += watch.now.longer_squares;
+  watch.rest_squares += watch.now.rest_squares;
+  watch.next = end;
+}
+
 template <class T>
 class ArenaOf final : public Arena, public HostObject {
  public:
@@ -69,6 +87,33 @@ class ArenaOf final : public Arena, public HostObject {
     return status == Status::ok ? follow_cloths(in, input.workers) : status;
   }
 
+  Status watch_stretch(const ArenaInput& in) override {
+    const bool host = backend_.info().host_memory;
+    // What must be fetched is looked at as a whole, and rarely.
+    if (!host && ++frames_unwatched_ < 64) return Status::ok;
+    frames_unwatched_ = 0;
+    for (ClothRecord* cloth : in.cloths) {
+      if (cloth->asleep) continue;
+      const scene::CookedFabric& fabric = cloth->cooked();
+      const auto at = [&](const T* p, size_t pitch) {
+        return double3{p[0], p[pitch], p[2 * pitch]};
+      };
+      if (host) {
+        const T* from = sim_.x[0].data + int64_t(cloth->first()) * stride();
+        const size_t step = size_t(stride()), pitch = sim_.x[0].pitch;
+        const uint64_t count = watched_in_a_frame(scene::stretch_items(fabric));
+        look_at_springs(*cloth, count,
+                        [&](uint32_t v) { return at(from + fabric.storage(v) * step, pitch); });
+      } else {
+        const Status status = fetch(sim_.x[0], cloth->first(), fabric.vertices, watched_);
+        if (status != Status::ok) return status;
+        look_at_springs(*cloth, scene::stretch_items(fabric),
+                        [&](uint32_t v) { return at(&watched_[fabric.storage(v)].x, 1); });
+      }
+    }
+    return Status::ok;
+  }
+
   Status probe(const ArenaInput& in, const FrameInput& input) override {
     const int64_t elements = int64_t(sim_.blocks) * block_size;
     Vec3Array<T> x{}, d{};
@@ -114,7 +159,7 @@ class ArenaOf final : public Arena, public HostObject {
     for (uint32_t v = 0; v < vertices; ++v) {
       const uint32_t s = cloth.cooked().storage(v);
       const Vec3<T>&with = probed_[size_t(cloth.first()) + s],
-                   &without = probed_free_[size_t(cloth.first()) + s];
+            &without = probed_free_[size_t(cloth.first()) + s];
       const bool same = with.x == without.x && with.y == without.y && with.z == without.z;
       out[v] = {{with.x, with.y, with.z}, tethered || !same};
       if (position_form_) {
@@ -463,6 +508,8 @@ class ArenaOf final : public Arena, public HostObject {
 
   Vector<ClothParams<T>> params_;
   Vector<Survey<T>> found_;
+  Vector<Vec3<T>> watched_;  ///< device memory alone
+  int frames_unwatched_ = 0;
   Vector<Vec3<T>> probed_, probed_free_;  ///< of the last probe, as the form keeps it
   ColliderInputs<T> colliders_;
   PinInputs<T> pins_;

@@ -76,6 +76,8 @@ class Arena {
   virtual Status probe(const ArenaInput&, const FrameInput&) = 0;
   /// What the last probe found, of one cloth in caller order.
   virtual Status read_probe(const ClothRecord&, Vector<Probed>& out) = 0;
+  /// Looks at some springs of every cloth that is awake (StretchWatch).
+  virtual Status watch_stretch(const ArenaInput&) = 0;
   virtual Status normals(const ArenaInput&, Workers) = 0;
   /// Of one cloth in caller order; positions are local. Accelerations and normals: after the call
   /// that makes them; both overwrite the other.

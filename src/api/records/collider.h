@@ -40,8 +40,8 @@ struct ColliderRecord {
   Placed target;              ///< at the end of the next step, if `gliding`
   bool gliding = false;
   Way<Placed> way;        ///< where moves lead it
-  Placed was;         ///< before the last step, if it glided in it
-  bool went = false;  ///< it did
+  Placed was;             ///< before the last step, if it glided in it
+  bool went = false;      ///< it did
   bool can_turn = false;  ///< was ever turned by a move: it needs a column of the turns
 };
 

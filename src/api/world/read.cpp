@@ -140,8 +140,8 @@ Status World::Impl::probe(const api::ClothRecord& cloth, Vector<api::Probed>& ou
     }
     api::ArenaInput in = *built;
     in.colliders = &on;
-    const Status status = arena->probe(
-        in, {int(substeps_last), dt_before, dt_before, time, context->workers()});
+    const Status status =
+        arena->probe(in, {int(substeps_last), dt_before, dt_before, time, context->workers()});
     if (status != Status::ok) return status;
     probed = true;
   }

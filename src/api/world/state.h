@@ -105,6 +105,7 @@ struct __attribute__((visibility("hidden"))) World::Impl : HostObject {
   /// Tells all threads what has become of the world (told.h).
   void publish() const noexcept;
   void tell_who_sleeps(api::ClothRecord&);
+  Status tell_of_stretch();
   void start_bounds_of(api::ClothRecord&) const;
   void publish_bounds(api::ClothRecord&) const;
   Status report_not_finite();

@@ -269,7 +269,7 @@ Status World::Impl::begin(const api::Stride& stride, double way) {
   }
   const Status status = ensure_built(stride.dt / stride.substeps, stride.substeps);
   if (status != Status::ok) return status;
-  events.make_room(order.size() + 4);  // whoever sleeps or wakes, and what else may happen
+  events.make_room(3 * order.size() + 4);  // whoever sleeps or wakes, and what else may happen
   aim(way);
   wake_by_colliders(stride.dt);
   result = Result::none;
@@ -305,6 +305,47 @@ void World::Impl::tell_who_sleeps(api::ClothRecord& cloth) {
   cloth.told_asleep = cloth.asleep;
   events.push_back({cloth.asleep ? EventType::slept : EventType::woke, cloth.id, 0, time,
                     cloth.asleep ? "the cloth has come to rest" : "the cloth moves again"});
+}
+
+Status World::Impl::tell_of_stretch() {
+  const Status status = arena->watch_stretch(*built);
+  if (status != Status::ok) return status;
+  const auto tell = [&](EventType type, ClothId cloth, uint32_t vertex, const Text& words) {
+    events.push_back({type, cloth, vertex, time, nullptr}, words);
+  };
+  for (api::ClothRecord* cloth : built->cloths) {
+    if (cloth->asleep) continue;
+    api::StretchWatch& watch = cloth->stretch;
+    const scene::Stretches now = watch.now;
+    const bool beyond = now.largest > api::large_stretch;
+    watch.beyond |= beyond;
+    if (beyond && !watch.told_stretch) {
+      watch.told_stretch = true;
+      tell(EventType::large_stretch, cloth->id, now.a,
+           text("the spring %u-%u of cloth %u is %.6g m long (its rest length is %.6g m, and more "
+                "than 10 times that beyond it is no cloth) start without overlaps, move pins and "
+                "colliders slower, or lower `safety`",
+                now.a, now.b, cloth->id.index, now.length, now.rest));
+    }
+    watch.now = {};
+    if (watch.next < scene::stretch_items(cloth->cooked())) continue;
+    watch.told_stretch = watch.beyond;
+    const double mean =
+        watch.rest_squares > 0 ? std::sqrt(watch.longer_squares / watch.rest_squares) : 0;
+    const bool much = mean > api::large_mean_stretch;
+    if (much && !watch.told_energy) {
+      tell(EventType::large_energy, cloth->id, 0,
+           text("the springs of cloth %u are stretched by %.3g times their rest length on average "
+                "(more than 2: it gains energy from nothing) lower `safety`, give it damping, or "
+                "start without overlaps",
+                cloth->id.index, mean));
+    }
+    watch.told_energy = much;
+    watch.next = 0;
+    watch.beyond = false;
+    watch.longer_squares = watch.rest_squares = 0;
+  }
+  return Status::ok;
 }
 
 Status World::Impl::land() {
@@ -349,8 +390,11 @@ Status World::Impl::land() {
   for (const api::ClothRecord* cloth : built->cloths) {
     if (cloth->broken) return report_not_finite();
   }
-  if (desc.accumulate == Accumulate::fixed64) return report_overflow();
-  return Status::ok;
+  if (desc.accumulate == Accumulate::fixed64) {
+    const Status status = report_overflow();
+    if (status != Status::ok) return status;
+  }
+  return tell_of_stretch();
 }
 
 Status World::Impl::run(const api::Stride& stride, double way) {

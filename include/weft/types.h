@@ -60,7 +60,9 @@ enum {
   WEFT_EVENT_SLEPT,
   WEFT_EVENT_WOKE,
   WEFT_EVENT_TIME_DROPPED,
-  WEFT_EVENT_FORCE_OVERFLOW
+  WEFT_EVENT_FORCE_OVERFLOW,
+  WEFT_EVENT_LARGE_STRETCH,
+  WEFT_EVENT_LARGE_ENERGY
 };
 #define WEFT_PIN_FIXED UINT32_MAX
 
@@ -196,7 +198,7 @@ typedef struct weft_collider_mesh_desc {
 typedef struct weft_world_desc {
   weft_double3 gravity;
   uint8_t precision, form, start;
-  uint32_t substeps;
+  uint32_t substeps, max_substeps;
   double safety;
   bool unsafe;
   double fixed_dt;
@@ -268,6 +270,7 @@ typedef struct weft_mesh_collider_desc {
 } weft_mesh_collider_desc;
 typedef struct weft_collider_set_desc {
   weft_view spheres, planes, capsules, cylinders, boxes; /* of weft_sphere_desc, ... */
+  bool may_stretch;
 } weft_collider_set_desc;
 typedef struct weft_wind_desc {
   weft_double3 velocity;
@@ -290,7 +293,7 @@ typedef struct weft_bounds {
 } weft_bounds;
 typedef struct weft_advance {
   uint32_t steps;
-  double alpha;
+  double alpha, time;
 } weft_advance;
 typedef struct weft_stability {
   double dt_bound;

@@ -26,6 +26,9 @@ struct WorldDesc {
   Start start = Start::taylor;
   /// Substeps of a step; 0: the fewest with dt <= safety * bound (one without springs).
   uint32_t substeps = 0;
+  /// Most substeps of a step; 0: no limit. A step that needs more is shorter than asked for: the
+  /// rest of it is dropped, with an event.
+  uint32_t max_substeps = 0;
   double safety = 0.9;                 ///< in (0, 1]
   bool unsafe = false;                 ///< allow a fixed number of substeps beyond the stable bound
   double fixed_dt = 1.0 / 60;          ///< s, > 0: a step of advance()
@@ -147,6 +150,10 @@ struct ColliderSetDesc {
   View<CapsuleDesc> capsules;
   View<CylinderDesc> cylinders;
   View<BoxDesc> boxes;
+  /// move_collider_set: radii, lengths and edges may change. The new ones count from the beginning
+  /// of the next step, all of them at once: what they newly cover is inside, and is moved out like
+  /// what a teleport covers.
+  bool may_stretch = false;
 };
 
 /// Wind on the triangles of grids and meshes. A triangle of area A and unit normal n whose vertices
@@ -175,8 +182,12 @@ enum class EventType : uint8_t {
   backend_fallback,  ///< the back end asked for had no device
   slept,             ///< a cloth has come to rest (ClothSettings::sleep_speed)
   woke,              ///< and moves again
-  time_dropped,      ///< advance() could not keep up: Stats::time_dropped has grown
+  time_dropped,      ///< max_steps_per_advance or max_substeps: Stats::time_dropped has grown
   force_overflow,    ///< a spring force left the range of Accumulate::fixed64; `vertex` is an end
+  large_stretch,  ///< a spring is stretched by more than 10 times its rest length; `vertex` is an
+                  ///< end. Once, until all are below it. Some springs are looked at after a
+                  ///< step, all of 16,000 vertices or triangles within 16 steps
+  large_energy,   ///< the springs of a cloth are stretched to 3 times their length on average
 };
 WEFT_API const char* to_string(EventType) noexcept;
 struct Event {
@@ -204,7 +215,7 @@ struct Stats {
   /// where other programs took the processor. With the caller's jobs: of the whole process
   /// meanwhile. Of a GPU: of the thread that waited for it.
   double cpu_seconds;
-  double time_dropped;       ///< s, by advance(), since the world was made
+  double time_dropped;       ///< s, since the world was made
   uint32_t threads;          ///< most that a step may use; small worlds run on fewer
   View<PhaseTime> phases;
   uint64_t bytes_state, bytes_total;
@@ -257,11 +268,15 @@ struct OutputDesc {
 struct Bounds {
   double3 low, high;  ///< m, in the world; low above high: no vertices
 };
-/// What advance() did: steps, and how far the frame lies from the last step to the next, in [0, 1):
-/// the alpha for write_outputs of a world that interpolates, where outputs lag a step behind.
+/// What advance() did.
 struct Advance {
   uint32_t steps = 0;
+  /// How far the frame lies from the last step to the next, in [0, 1): the alpha for write_outputs
+  /// of a world that interpolates.
   double alpha = 0;
+  /// s, world time of what is drawn. With WorldDesc::interpolate it is always one fixed_dt behind
+  /// the frames that were passed; without, it is the last step's, up to one fixed_dt behind.
+  double time = 0;
 };
 
 /// Cloths and colliders that share time, gravity and precision. Used by one thread at a time, not
@@ -293,18 +308,25 @@ class WEFT_API World {
   Status destroy_collider(ColliderId) noexcept;
   /// Places a collider: `pose` moves its description (spheres, planes, ... as they were given). By
   /// `simulate` it is there at the end of the next step, on the way in between, and rests there
-  /// until it is moved again. By `teleport` it is there at once.
+  /// until it is moved again. On the way it turns uniformly, by the shorter way, about its middle
+  /// (the centre of the shape or of the mesh's bounds; of a plane the point next to each cloth),
+  /// which goes straight. By `teleport` it is there at once.
   Status move_collider(ColliderId, const Pose& pose, Move = Move::simulate) noexcept;
 
   /// All of the set, or none of it where one is refused; `velocity` counts until the first move.
   Result<ColliderSetId> create_collider_set(const ColliderSetDesc&) noexcept;
   /// As move_collider for each: the same numbers of each shape, radii, lengths and edges within
-  /// 1e-4; of `friction` and `velocity` nothing is read. Nothing moves where one is refused.
+  /// the larger of 1e-4 and of four units in the last place of the coordinates in float, unless
+  /// may_stretch; of `friction` and `velocity` nothing is read. What has an axis turns by the
+  /// shortest way to the new one, a plane about the line where it meets its new place. Equal
+  /// descriptions are no motion. Nothing moves where one is refused.
   Status move_collider_set(ColliderSetId, const ColliderSetDesc&, Move = Move::simulate) noexcept;
   Status destroy_collider_set(ColliderSetId) noexcept;
 
   /// Pins `vertices` where `targets` (one each, world, m) say: a free vertex is pinned, a pinned
-  /// one is moved; the motion runs linearly over the next step and then stops.
+  /// one is moved; the motion runs linearly over the next step (or frame of advance) and then
+  /// stops. Of a vertex that is named twice the last target counts. A target where the pin is is no
+  /// change.
   Status move_pins(ClothId, View<uint32_t> vertices, PointView targets) noexcept;
   /// Moves every pin of a cloth to where an engine's skinning has its vertex; `targets`: one per
   /// vertex of the cloth, m, in the world.
@@ -326,7 +348,10 @@ class WEFT_API World {
   /// unstable_step: nothing was advanced. diverged: an event says which vertex.
   Status step(double dt) noexcept;
   /// Passes a frame of `frame_dt` seconds (>= 0) in steps of WorldDesc::fixed_dt. At most
-  /// max_steps_per_advance are made; what they leave of the frame is dropped, with an event.
+  /// max_steps_per_advance are made; what they leave of the frame is dropped, with an event. What
+  /// was given since the last frame (pins, targets, colliders, sets) belongs to the end of this
+  /// one: each step inside finds it at its own place on the way. A failing call owes no time
+  /// afterwards.
   Result<Advance> advance(double frame_dt) noexcept;
   /// step(dt) in two halves: the first takes up the inputs and returns, the second waits for the
   /// end. In between only step_done, valid, time, stats, bounds and events may be called, from the
@@ -345,7 +370,8 @@ class WEFT_API World {
   Result<Stability> stability(ClothId) noexcept;
   Result<PlanInfo> plan() noexcept;
   Stats stats() const noexcept;
-  View<Event> events() const noexcept;  ///< of the last step; valid until the next
+  /// Of the last step, advance or begin_step and end_step, each once; valid until the next.
+  View<Event> events() const noexcept;
 
   /// Errors: a buffer that is too small, or null with a size; strides below the format's size,
   /// attributes that overlap, formats that do not fit. An output goes with its cloth.

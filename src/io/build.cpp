@@ -51,6 +51,7 @@ WorldDesc world_desc(const Scene& scene) {
   desc.form = scene.solver.form;
   desc.start = scene.solver.start;
   desc.substeps = scene.time.substeps;
+  desc.max_substeps = scene.time.max_substeps;
   desc.safety = scene.solver.safety;
   desc.unsafe = scene.solver.unsafe;
   desc.evaluation = scene.solver.evaluation;

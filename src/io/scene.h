@@ -16,7 +16,8 @@ namespace weft::io {
 struct TimeSettings {
   double duration = 1;
   double frame = 1.0 / 60;
-  uint32_t substeps = 0;  ///< 0: automatic
+  uint32_t substeps = 0;      ///< 0: automatic
+  uint32_t max_substeps = 0;  ///< 0: no limit
 };
 
 enum class Integrator : uint8_t { verlet, rk4, implicit_euler, implicit_midpoint, xpbd };

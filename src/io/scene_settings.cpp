@@ -71,15 +71,22 @@ void read_limits(const Node& node, SolverSettings& solver) {
 }  // namespace
 
 void read_time(const Node& node, TimeSettings& time) {
-  node.require_object({"duration", "frame", "substeps"});
+  node.require_object({"duration", "frame", "substeps", "max_substeps"});
   if (const auto key = node.find("duration")) time.duration = key->number(Sign::not_negative);
   if (const auto key = node.find("frame")) time.frame = key->number(Sign::positive);
+  if (const auto most = node.find("max_substeps")) {
+    time.max_substeps = uint32_t(most->integer(0, 1000000000, "0 is no limit"));
+  }
   const auto key = node.find("substeps");
   if (!key) return;
   if (key->is_string()) {
     time.substeps = key->choice<uint32_t>({{"auto", 0}});
   } else {
     time.substeps = uint32_t(key->integer(1, 1000000000, "a frame takes 1 to 1e9 substeps"));
+    if (time.max_substeps > 0 && time.substeps > time.max_substeps) {
+      key->out_of_range("max_substeps is " + std::to_string(time.max_substeps),
+                        "give at most that many, or raise max_substeps");
+    }
   }
 }
 

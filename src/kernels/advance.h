@@ -51,13 +51,13 @@ struct AdvanceParticles {
         stages.add_constant_forces(cloth, i0, lanes, force);
       }
     }
+    if constexpr (contains(Set, Stage::spring_damping)) {
+      if (cloth.spring_damping > T(0)) damp_springs(cloth, block, i0, lanes, force);
+    }
     if constexpr (contains(Set, Stage::wind)) {
       if (cloth.in_wind) {
         blow(fan, cloth, stages.p, step, sim.inverse_mass, block, i0, lanes, force);
       }
-    }
-    if constexpr (contains(Set, Stage::spring_damping)) {
-      if (cloth.spring_damping > T(0)) damp_springs(cloth, block, i0, lanes, force);
     }
     // -- seam: forces | integration | tethers | colliders
     if constexpr (contains(Set, Stage::colliders)) {
@@ -100,7 +100,7 @@ struct AdvanceParticles {
                                      int block, int i0, Lanes<N> lanes,
                                      const LaneVec3<T, N>& force) const {
     const Simulation<T>& sim = stages.sim;
-    const Region<T> region = region_of(sim, activity, block);
+    const Region<T> region = region_of(sim, cloth, activity, block, i0);
     bool every = activity.nearness == Nearness::every;
     if (every) {
       integrate(cloth, Everywhere{}, i0, lanes, force);
@@ -114,7 +114,7 @@ struct AdvanceParticles {
   template <int N>
   WEFT_HD_COLD void damp_springs(const ClothParams<T>& cloth, int block, int i0, Lanes<N> lanes,
                                  LaneVec3<T, N>& force) const {
-    const T per_dt = stages.step.ratio / stages.step.dt;  // 1 / the step the displacements took
+    const T per_dt = per_dt_of(stages.step, cloth);
     if (stages.step.position_form) {
       springs.template damp<true>(cloth, stages.p, per_dt, block, i0, lanes, force);
     } else {

@@ -5,6 +5,7 @@
 #include "base/atomic_words.h"
 #include "kernels/accumulate.h"
 #include "kernels/displacement.h"
+#include "kernels/integrate.h"
 #include "kernels/spring.h"
 
 namespace weft {
@@ -59,12 +60,13 @@ struct EdgeForces {
   }
 
  private:
-  /// In the native mode damping is a sum of its own, as in the gather, where wind comes between.
+  /// In the native mode damping is a sum of its own, as in the gather, where constant forces come
+  /// between.
   template <bool Position, int N>
   WEFT_HD_COLD void add_damping(const ClothParams<T>& cloth, int e0, Lanes<N> lanes,
                                 LaneVec3<T, N>& force) const {
     const Edges<T>& edges = sim.edges;
-    const T per_dt = step.ratio / step.dt;
+    const T per_dt = per_dt_of(step, cloth);
     LaneVec3<T, N> damping;
     lanes.each([&](int l) WEFT_LANE {
       const int a = edges.a[e0 + l], b = edges.b[e0 + l];

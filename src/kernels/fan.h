@@ -1,9 +1,9 @@
 // Sums over the triangles around a particle, in their own sense of rotation and a fixed order.
 //
-// `sum_triangles(..., read, share, sum, weight)`: read(i) loads what a corner brings along,
-// share(here, next, last) is what the triangle of three such corners does to the first; the shares
-// are added to sum and weight. Where a triangle is missing, all corners are the particle itself: no
-// area.
+// `sum_triangles(..., read, share, sum)`: read(i) loads what a corner brings along, share(here,
+// next, last) is what the triangle of three such corners does to the first; the shares are added to
+// `sum`, a LaneVec3 or what else keeps one share per lane. Where a triangle is missing, all corners
+// are the particle itself: no area.
 #pragma once
 
 #include "base/lanes.h"
@@ -22,12 +22,6 @@ WEFT_HD Corner<T> select(bool condition, Corner<T> yes, Corner<T> no) {
   return {select(condition, yes.x, no.x), select(condition, yes.d, no.d)};
 }
 
-template <class T>
-struct TriangleShare {
-  Vec3<T> vector;
-  T weight;
-};
-
 /// A grid's quads are split along (1,1), so that six triangles meet in a vertex:
 ///
 ///           N --- NE
@@ -40,20 +34,20 @@ struct GridFan {
   const uint16_t* presence;
   const uint8_t* inner;
 
-  template <int N, class Read, class Share>
+  template <int N, class Read, class Share, class Sum>
   WEFT_HD void sum_triangles(const ClothParams<T>& cloth, int block, int i0, Lanes<N> lanes,
-                             Read read, Share share, LaneVec3<T, N>& sum, T* weight) const {
+                             Read read, Share share, Sum& sum) const {
     if (inner[block]) {
-      sum_six<true>(cloth, i0, lanes, read, share, sum, weight);
+      sum_six<true>(cloth, i0, lanes, read, share, sum);
     } else {
-      sum_six<false>(cloth, i0, lanes, read, share, sum, weight);
+      sum_six<false>(cloth, i0, lanes, read, share, sum);
     }
   }
 
  private:
-  template <bool Inner, int N, class Read, class Share>
+  template <bool Inner, int N, class Read, class Share, class Sum>
   WEFT_HD void sum_six(const ClothParams<T>& cloth, int i0, Lanes<N> lanes, Read read, Share share,
-                       LaneVec3<T, N>& sum, T* weight) const {
+                       Sum& sum) const {
     const int e = cloth.axial[0], n = cloth.axial[1], w = cloth.axial[2], s = cloth.axial[3];
     const int column = cloth.columns;
     const uint16_t* of = presence;
@@ -72,19 +66,13 @@ struct GridFan {
       const auto north = corner(column, n), west = corner(-1, w);
       const auto south_west = corner(-column - 1, s | w), south = corner(-column, s);
       // Both corners of a triangle must be there; one that is not stands for no area.
-      TriangleShare<T> all{{T(0), T(0), T(0)}, T(0)};
-      const auto add = [&](const auto& next, const auto& last) WEFT_LANE {
-        const TriangleShare<T> one = share(here, next, last);
-        all = {all.vector + one.vector, all.weight + one.weight};
-      };
-      add(east, north_east);
-      add(north_east, north);
-      add(north, west);
-      add(west, south_west);
-      add(south_west, south);
-      add(south, east);
-      sum.set(l, all.vector);
-      weight[l] = all.weight;
+      auto all = share(here, east, north_east);
+      all = all + share(here, north_east, north);
+      all = all + share(here, north, west);
+      all = all + share(here, west, south_west);
+      all = all + share(here, south_west, south);
+      all = all + share(here, south, east);
+      sum.set(l, all);
     });
   }
 };
@@ -93,22 +81,17 @@ template <class T>
 struct MeshFan {
   TriangleRows rows;
 
-  template <int N, class Read, class Share>
+  template <int N, class Read, class Share, class Sum>
   WEFT_HD void sum_triangles(const ClothParams<T>&, int block, int i0, Lanes<N> lanes, Read read,
-                             Share share, LaneVec3<T, N>& sum, T* weight) const {
-    lanes.each([&](int l) WEFT_LANE {
-      sum.set(l, {T(0), T(0), T(0)});
-      weight[l] = T(0);
-    });
+                             Share share, Sum& sum) const {
+    lanes.each([&](int l) WEFT_LANE { sum.set(l, {}); });
     if (rows.start == nullptr) return;  // networks only
     const int slice = block - rows.first_block;
     const int32_t *next = rows.next, *last = rows.last;
     for (int64_t t = rows.start[slice] + (i0 - block * block_size); t < rows.start[slice + 1];
          t += block_size) {
       lanes.each([&](int l) WEFT_LANE {
-        const TriangleShare<T> one = share(read(i0 + l), read(next[t + l]), read(last[t + l]));
-        sum.set(l, sum.get(l) + one.vector);
-        weight[l] += one.weight;
+        sum.set(l, sum.get(l) + share(read(i0 + l), read(next[t + l]), read(last[t + l])));
       });
     }
   }

@@ -6,6 +6,7 @@
 
 #include "kernels/accumulate.h"
 #include "kernels/displacement.h"
+#include "kernels/integrate.h"
 #include "kernels/spring.h"
 
 namespace weft {
@@ -86,7 +87,7 @@ struct HubChunks {
   template <bool Position, int N>
   WEFT_HD_COLD void damp(const ClothParams<T>& cloth, const HubChunk& chunk, int lane0,
                          Lanes<N> lanes, Vec3<T>& out) const {
-    const T per_dt = step.ratio / step.dt;
+    const T per_dt = per_dt_of(step, cloth);
     const Vec3<T> here = load(p.x_in, chunk.particle);
     const Vec3<T> moved = displacement<Position>(p, chunk.particle);
     const auto force = [&](int64_t e) WEFT_LANE {

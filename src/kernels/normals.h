@@ -29,14 +29,12 @@ struct VertexNormals {
     const int i0 = block * block_size + lane0;
     const ClothParams<T>& cloth = cloths[cloth_of_block[block]];
     LaneVec3<T, N> sum;
-    T unused[N];
     const Vec3Array<T> from = x;
     fan.sum_triangles(
         cloth, block, i0, lanes, [=](int i) WEFT_LANE { return load(from, i); },
-        [=](Vec3<T> here, Vec3<T> next, Vec3<T> last) WEFT_LANE {
-          return TriangleShare<T>{cross(next - here, last - here), T(0)};
-        },
-        sum, unused);
+        [=](Vec3<T> here, Vec3<T> next, Vec3<T> last)
+            WEFT_LANE { return cross(next - here, last - here); },
+        sum);
     lanes.each([&](int l) WEFT_LANE { store(out, i0 + l, unit_or_zero(sum.get(l))); });
   }
 };

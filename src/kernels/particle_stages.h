@@ -114,21 +114,22 @@ struct ParticleStages {
   WEFT_HD bool integrate_displacement(const ClothParams<T>& cloth, const Region& region, int i0,
                                       Lanes<N> lanes, const LaneVec3<T, N>& force) const {
     const T c_dt = cloth.drag * step.dt;
+    const Pace<T> pace = pace_of(step, cloth);
     switch (static_cast<Drag>(cloth.drag_model)) {
       case Drag::none:
         return for_each_particle<Position>(
             region, i0, lanes, force, [&](int i, Vec3<T> d, Vec3<T> a, T w) WEFT_LANE {
-              return move<Position>(i, next_displacement(d, a, step), w);
+              return move<Position>(i, next_displacement(d, a, pace), w);
             });
       case Drag::central:
         return for_each_particle<Position>(
             region, i0, lanes, force, [&](int i, Vec3<T> d, Vec3<T> a, T w) WEFT_LANE {
-              return move<Position>(i, next_displacement_central(d, a, c_dt * w, step), w);
+              return move<Position>(i, next_displacement_central(d, a, c_dt * w, pace), w);
             });
       case Drag::lagged:
         return for_each_particle<Position>(
             region, i0, lanes, force, [&](int i, Vec3<T> d, Vec3<T> a, T w) WEFT_LANE {
-              return move<Position>(i, next_displacement_lagged(d, a, c_dt * w, step), w);
+              return move<Position>(i, next_displacement_lagged(d, a, c_dt * w, pace), w);
             });
     }
     return false;
@@ -153,12 +154,13 @@ struct ParticleStages {
     if (static_cast<Drag>(cloth.drag_model) != Drag::none) {
       return integrate_displacement<true>(cloth, region, i0, lanes, force);
     }
+    const Pace<T> pace = pace_of(step, cloth);
     return region.any_outside(lanes, [&](int l) WEFT_LANE {
       const int i = i0 + l;
       const T w = sim.inverse_mass[i];
       const Vec3<T> x = load(p.x_in, i);
       const Vec3<T> a = if_free(w, w * force.get(l) + step.gravity);
-      const Vec3<T> next = select(w > T(0), next_position(x, load(p.d_in, i), a, step), x);
+      const Vec3<T> next = select(w > T(0), next_position(x, load(p.d_in, i), a, pace), x);
       store(p.x_out, i, next);
       return next;
     });

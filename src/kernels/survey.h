@@ -1,5 +1,6 @@
 // What the host wants to know of the particles after a frame: where they are, how fast the fastest
-// is, and whether any is lost. Smallest and largest do not depend on the order: same bits anywhere.
+// is, whether any is lost, and a sample of them for their middle. Smallest and largest do not
+// depend on the order: same bits anywhere.
 #pragma once
 
 #include "kernels/displacement.h"
@@ -40,12 +41,17 @@ struct SurveyParticles {
         broken[l] = zero == T(0) ? broken[l] : T(1);
       });
     }
-    const Survey<T> found{{smallest_of_lanes(low.x, lanes), smallest_of_lanes(low.y, lanes),
-                           smallest_of_lanes(low.z, lanes)},
-                          {largest_of_lanes(high.x, lanes), largest_of_lanes(high.y, lanes),
-                           largest_of_lanes(high.z, lanes)},
-                          largest_of_lanes(furthest2, lanes),
-                          largest_of_lanes(broken, lanes) > T(0) ? 1 : 0};
+    Survey<T> found{};
+    const int last = range.end - 1 - range.first;
+    for (int s = 0; s < survey_samples; ++s) {
+      found.sample[s] = load(p.x_in, range.first + int(int64_t(last) * s / (survey_samples - 1)));
+    }
+    found.low = {smallest_of_lanes(low.x, lanes), smallest_of_lanes(low.y, lanes),
+                 smallest_of_lanes(low.z, lanes)};
+    found.high = {largest_of_lanes(high.x, lanes), largest_of_lanes(high.y, lanes),
+                  largest_of_lanes(high.z, lanes)};
+    found.furthest2 = largest_of_lanes(furthest2, lanes);
+    found.broken = largest_of_lanes(broken, lanes) > T(0) ? 1 : 0;
     if (lane0 == 0) sim.survey[group] = found;
   }
 };

@@ -3,35 +3,87 @@
 
 #include "kernels/displacement.h"
 #include "kernels/fan.h"
+#include "kernels/integrate.h"
 #include "state/step.h"
 
 namespace weft {
 namespace WEFT_BACKEND_NS {
+
+/// What the triangles do to a vertex: the force, and the matrix K (N s/m) with force = K u.
+template <class T>
+struct Blow {
+  Vec3<T> force;
+  T along;                ///< K = along 1 +
+  Vec3<T> square, mixed;  ///< a symmetric matrix: xx yy zz, yz zx xy
+};
+template <class T>
+WEFT_HD Blow<T> operator+(const Blow<T>& a, const Blow<T>& b) {
+  return {a.force + b.force, a.along + b.along, a.square + b.square, a.mixed + b.mixed};
+}
+
+/// A Blow per lane.
+template <class T, int N>
+struct LaneBlow {
+  LaneVec3<T, N> force, square, mixed;
+  alignas(N == 1 ? alignof(T) : 64) T along[N];
+
+  WEFT_HD Blow<T> get(int l) const { return {force.get(l), along[l], square.get(l), mixed.get(l)}; }
+  WEFT_HD void set(int l, const Blow<T>& blow) {
+    force.set(l, blow.force);
+    along[l] = blow.along;
+    square.set(l, blow.square);
+    mixed.set(l, blow.mixed);
+  }
+};
 
 /// A third of (rho A/2) [normal |u.n| (u.n) n + tangential |u_t| u_t] with u = wind - v, u_t = u -
 /// (u.n) n. In terms of N = 2 A n, whose length is never needed:
 ///
 ///     (rho normal/12) |u.N| (u.N) N/N^2  +  (rho tangential/12) |N| |u_t| u_t
 ///
-/// with the force per relative velocity, by which a step could overshoot, as weight (N s/m). A
-/// triangle without area has no wind (hard case 7).
+/// A triangle without area has no wind (hard case 7).
 template <class T>
-WEFT_HD TriangleShare<T> wind_on_triangle(const Wind<T>& wind, Vec3<T> area_normal, Vec3<T> u) {
+WEFT_HD Blow<T> wind_on_triangle(const Wind<T>& wind, Vec3<T> area_normal, Vec3<T> u) {
   const T square = dot(area_normal, area_normal), flow = dot(u, area_normal);
   const bool has_area = square > T(0);
   const T per_square = T(1) / (has_area ? square : T(1));
   const T through = flow < T(0) ? -flow : flow;
-  const Vec3<T> along = u - (flow * per_square) * area_normal;
-  const T across_part = wind.normal * through;
-  const T along_part = wind.tangential * square_root(square * dot(along, along));
-  const Vec3<T> force = (across_part * flow * per_square) * area_normal + along_part * along;
-  return {select(has_area, force, Vec3<T>{T(0), T(0), T(0)}),
-          has_area ? larger(across_part, along_part) : T(0)};
+  const Vec3<T> slip = u - (flow * per_square) * area_normal;
+  const T along = has_area ? wind.tangential * square_root(square * dot(slip, slip)) : T(0);
+  const T across = has_area ? wind.normal * through : T(0);
+  const Vec3<T> n = area_normal, more = ((across - along) * per_square) * n;
+  return {flow * more + along * u,
+          along,
+          {more.x * n.x, more.y * n.y, more.z * n.z},
+          {more.y * n.z, more.z * n.x, more.x * n.y}};
 }
 
-/// Adds the wind to the forces of a block, limited so that a step never reverses the relative
-/// velocity: f / (1 + C dt/m) with C the sum of the weights. For one drag -b |w| w that is the step
-/// w' = w/(1 + b |w| dt/m) of hard case 60. Velocities are the mean displacements * per_dt.
+/// y with (1 + s K) y = q. K has no negative eigenvalue, so that no pivot is below 1 but by
+/// rounding.
+template <class T>
+WEFT_HD Vec3<T> relaxed(const Blow<T>& k, T s, Vec3<T> q) {
+  const T one = T(1), rest = one + s * k.along, xy = s * k.mixed.z, xz = s * k.mixed.y;
+  const T per_x = one / (rest + s * k.square.x);
+  const T yx = xy * per_x, zx = xz * per_x;
+  const T per_y = one / larger(rest + s * k.square.y - yx * xy, one);
+  const T yz = s * k.mixed.x - zx * xy, zy = yz * per_y;
+  const T pivot_z = larger(rest + s * k.square.z - zx * xz - zy * yz, one);
+  const T y = q.y - yx * q.x, z = (q.z - zx * q.x - zy * y) / pivot_z;
+  const T middle = y * per_y - zy * z;
+  return {q.x * per_x - yx * middle - zx * z, middle, z};
+}
+
+/// Adds the wind to the forces of a block, which are complete without it, and makes of their sum
+/// what a step may take. Wind changes while it accelerates: with K u, u lagged by half a step, and
+/// tau the time that the velocity is advanced by, the acceleration y of all forces follows from
+///
+///     (1 + tau K/m) y = (forces + K u)/m + gravity - drag
+///
+/// It is zero where the forces are in balance, whatever the step. Where nothing else acts, u' =
+/// u/(1 + tau K/m) never reverses, and one drag b |u| u is hard case 60: w' = w/(1 + b |w| dt/m).
+/// K is half the derivative of the force across the surface and along the slip, so that y is that
+/// at the time of the positions to second order where the corners of a triangle accelerate alike.
+/// Velocities are the mean displacements * per_dt.
 template <bool Position, class T, class Fan, int N>
 WEFT_HD void add_wind(const Fan& fan, const ClothParams<T>& cloth, const ParticleBuffers<T>& of,
                       const StepParams<T>& step, const T* inverse_mass, int block, int i0,
@@ -39,9 +91,11 @@ WEFT_HD void add_wind(const Fan& fan, const ClothParams<T>& cloth, const Particl
   // Copies: g++ vectorises no loop that reads through references.
   const ParticleBuffers<T> p = of;
   const Wind<T> wind = step.wind;
-  const T third_per_dt = step.ratio / (T(3) * step.dt), dt = step.dt;
-  LaneVec3<T, N> sum;
-  T weight[N];
+  const Vec3<T> gravity = step.gravity;
+  const Pace<T> pace = pace_of(step, cloth);
+  const T third_per_dt = pace.ratio / (T(3) * step.dt), tau = pace.a_factor / step.dt;
+  const T drag_per = cloth.drag * pace.ratio / tau;  // what integration takes of a displacement
+  LaneBlow<T, N> sum;
   fan.sum_triangles(
       cloth, block, i0, lanes,
       [=](int i) WEFT_LANE {
@@ -52,10 +106,13 @@ WEFT_HD void add_wind(const Fan& fan, const ClothParams<T>& cloth, const Particl
         return wind_on_triangle(wind, cross(next.x - here.x, last.x - here.x),
                                 wind.velocity - third_per_dt * d);
       },
-      sum, weight);
+      sum);
   lanes.each([&](int l) WEFT_LANE {
-    const T limit = T(1) + weight[l] * (dt * inverse_mass[i0 + l]);
-    force.set(l, force.get(l) + (T(1) / limit) * sum.get(l));
+    const T w = inverse_mass[i0 + l], mass = w > T(0) ? T(1) / w : T(0);
+    const Blow<T> blow = sum.get(l);
+    const Vec3<T> braked = (drag_per * w) * displacement<Position>(p, i0 + l) - gravity;
+    const Vec3<T> y = relaxed(blow, tau * w, w * (force.get(l) + blow.force) - braked);
+    force.set(l, mass * (y + braked));
   });
 }
 

@@ -35,11 +35,13 @@ struct BlockReach {
 };
 
 /// Of a group of blocks of one cloth, after a frame.
+constexpr int survey_samples = 5;
 template <class T>
 struct Survey {
-  Vec3<T> low, high;  ///< of the finite positions
-  T furthest2;        ///< m^2: largest squared displacement of the last substep
-  int32_t broken;     ///< particles whose position is not finite
+  Vec3<T> sample[survey_samples];  ///< of positions, evenly spread in the order of storage
+  Vec3<T> low, high;               ///< of the finite positions
+  T furthest2;                     ///< m^2: largest squared displacement of the last substep
+  int32_t broken;                  ///< particles whose position is not finite
 };
 constexpr int survey_blocks = 32;
 

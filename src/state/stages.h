@@ -9,8 +9,8 @@ namespace weft {
 enum class Stage : uint32_t {
   sleep,           ///< blocks of sleeping cloths do nothing
   forces,          ///< constant forces of vertices
-  wind,            ///< on triangles
   spring_damping,  ///< along the springs
+  wind,            ///< on triangles
   tethers,         ///< back to within a distance of the pins
   colliders,       ///< out of the shapes, with friction
   moving_pins      ///< pins that are not where they were

@@ -27,12 +27,14 @@ struct StepParams {
   Update update;
   bool position_form;  ///< `d` holds previous positions
   T dt;
-  T ratio;        ///< dt of this substep / dt of the one before
-  T a_factor;     ///< what the acceleration is multiplied by: dt (dt + dt_before)/2
-  T time;         ///< from the start of the frame to the end of this substep
-  T time_before;  ///< to its start
-  T fraction;     ///< of the frame that is over at the end of this substep
-  int substep;    ///< index in the frame
+  T ratio;         ///< dt of this substep / dt of the one before
+  T a_factor;      ///< what the acceleration is multiplied by: dt (dt + dt_before)/2
+  T square;        ///< dt^2
+  bool newcomers;  ///< cloths that are starting have not moved: their substep before was dt too
+  T time;          ///< from the start of the frame to the end of this substep
+  T time_before;   ///< to its start
+  T fraction;      ///< of the frame that is over at the end of this substep
+  int substep;     ///< index in the frame
   Vec3<T> gravity;
   Wind<T> wind;
 };

@@ -1,5 +1,5 @@
-// What a write of vertices works on: the positions and normals of one cloth, and where their
-// attributes go in a vertex buffer of the caller.
+// What works on the vertices of one cloth: a write into a vertex buffer of the caller, and a change
+// of origin.
 #pragma once
 
 #include "base/view.h"
@@ -13,6 +13,14 @@ struct VertexAttribute {
   VertexFormat format;
   char* data;  ///< of vertex 0 of the cloth; any alignment
   int64_t stride;
+};
+
+/// A cloth's positions relative to another origin.
+template <class T>
+struct OriginJob {
+  int particles;
+  Vec3Array<T> x;  ///< of the cloth's element 0
+  Vec3<T> by;      ///< m: the new origin seen from the old one
 };
 
 template <class T>

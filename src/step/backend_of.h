@@ -43,6 +43,14 @@ class BackendOf final : public Backend {
   Status accelerations(const Frame<double>& f) const noexcept override {
     return do_accelerations(f);
   }
+  Status probe(const Frame<float>& f, Vec3Array<float> x,
+               Vec3Array<float> d) const noexcept override {
+    return do_probe(f, x, d);
+  }
+  Status probe(const Frame<double>& f, Vec3Array<double> x,
+               Vec3Array<double> d) const noexcept override {
+    return do_probe(f, x, d);
+  }
   Status survey(const Frame<float>& f) const noexcept override { return do_survey(f); }
   Status survey(const Frame<double>& f) const noexcept override { return do_survey(f); }
   Status normals(const Frame<float>& f) const noexcept override { return do_normals(f); }
@@ -52,6 +60,12 @@ class BackendOf final : public Backend {
   }
   Status write_vertices(const VertexJob<double>& job, Workers workers) const noexcept override {
     return do_write(job, workers);
+  }
+  Status shift(const OriginJob<float>& job, Workers workers) const noexcept override {
+    return do_shift(job, workers);
+  }
+  Status shift(const OriginJob<double>& job, Workers workers) const noexcept override {
+    return do_shift(job, workers);
   }
   Status copy(void* to, const void* from, size_t bytes) const noexcept override {
     return Device::copy(to, from, bytes);
@@ -97,6 +111,12 @@ class BackendOf final : public Backend {
     return Device::finish();
   }
   template <class T>
+  static Status do_probe(const Frame<T>& f, Vec3Array<T> x, Vec3Array<T> d) {
+    auto e = exec(f);
+    run_probe(e, f, x, d);
+    return Device::finish();
+  }
+  template <class T>
   static Status do_survey(const Frame<T>& f) {
     auto e = exec(f);
     run_survey(e, f);
@@ -112,6 +132,12 @@ class BackendOf final : public Backend {
   static Status do_write(const VertexJob<T>& job, Workers workers) {
     auto e = Device::exec((job.vertices + block_size - 1) / block_size, workers);
     run_write_vertices(e, job);
+    return Device::finish();
+  }
+  template <class T>
+  static Status do_shift(const OriginJob<T>& job, Workers workers) {
+    auto e = Device::exec((job.particles + block_size - 1) / block_size, workers);
+    run_shift(e, job);
     return Device::finish();
   }
   template <class T>

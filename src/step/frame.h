@@ -13,6 +13,7 @@ struct Frame {
   bool position_form;
   double dt;         ///< s, of every substep of this frame
   double dt_before;  ///< s, of the last substep before this frame
+  bool newcomers;    ///< some cloth has not moved yet: its start belongs to `dt`
   Vec3<T> gravity;
   Wind<T> wind;
   bool by_block;  ///< some cloth has a list of colliders for each of its blocks

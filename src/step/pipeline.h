@@ -14,6 +14,7 @@
 #include "kernels/hubs.h"
 #include "kernels/normals.h"
 #include "kernels/reach.h"
+#include "kernels/shift.h"
 #include "kernels/survey.h"
 #include "kernels/write_vertices.h"
 #include "step/exec_contract.h"
@@ -62,6 +63,8 @@ StepParams<T> step_params(const Frame<T>& frame, int s) {
   step.dt = T(frame.dt);
   step.ratio = T(frame.dt / before);
   step.a_factor = T(0.5 * frame.dt * (frame.dt + before));
+  step.square = T(frame.dt * frame.dt);
+  step.newcomers = s == 0 && frame.newcomers;
   step.time = T((s + 1) * frame.dt);
   step.time_before = T(s * frame.dt);
   step.fraction = T(double(s + 1) / frame.substeps);
@@ -177,8 +180,6 @@ template <class T, class Exec>
 void run_start(Exec& exec, Frame<T>& frame) {
   StepParams<T> step = step_params(frame, 0);
   step.update = Update::start;
-  step.dt = T(frame.dt_before);
-  step.ratio = T(1);
   ParticleBuffers<T> p = buffers(frame.sim, frame.position_form);
   if (frame.position_form) p.d_out = frame.sim.x[1];
   exec.frame([&](const auto& team) { advance(team, frame.sim, p, step); });
@@ -194,10 +195,23 @@ template <class T, class Exec>
 void run_accelerations(Exec& exec, const Frame<T>& frame) {
   StepParams<T> step = step_params(frame, 0);
   step.update = Update::acceleration;
-  step.dt = T(frame.dt_before);
-  step.ratio = T(1);
   exec.frame([&](const auto& team) {
     advance(team, frame.sim, buffers(frame.sim, frame.position_form), step);
+  });
+}
+
+/// The first substep of a frame, into memory of its own.
+template <class T, class Exec>
+void run_probe(Exec& exec, const Frame<T>& frame, Vec3Array<T> x, Vec3Array<T> d) {
+  ParticleBuffers<T> p = buffers(frame.sim, frame.position_form);
+  p.x_out = x;
+  p.d_out = d;
+  exec.frame([&](const auto& team) {
+    if (frame.by_block) {
+      team.for_each_block(frame.sim.blocks, ReachOfBlocks<T>{frame.sim, frame.sim.x[0]});
+      team.meet();
+    }
+    advance(team, frame.sim, p, step_params(frame, 0));
   });
 }
 
@@ -206,6 +220,15 @@ template <class T, class Exec>
 void run_write_vertices(Exec& exec, const VertexJob<T>& job) {
   exec.frame([&](const auto& team) {
     team.for_each_block((job.vertices + block_size - 1) / block_size, WriteVertices<T>{job});
+    team.meet();
+  });
+}
+
+/// Positions of one cloth to another origin.
+template <class T, class Exec>
+void run_shift(Exec& exec, const OriginJob<T>& job) {
+  exec.frame([&](const auto& team) {
+    team.for_each_block((job.particles + block_size - 1) / block_size, ShiftOrigin<T>{job});
     team.meet();
   });
 }

@@ -13,6 +13,24 @@ namespace weft::api {
 
 namespace {
 
+/// Items of StretchWatch that a frame looks at: few enough to cost nothing beside its substeps.
+uint64_t watched_in_a_frame(uint64_t items) {
+  return std::min<uint64_t>(1024, std::max<uint64_t>(32, items / 16));
+}
+
+template <class Position>
+void look_at_springs(ClothRecord& cloth, uint64_t count, Position position) {
+  StretchWatch& watch = cloth.stretch;
+  const scene::CookedFabric& fabric = cloth.cooked();
+  if (watch.hair < 0) watch.hair = scene::least_rest(fabric);
+  const uint64_t end = std::min(scene::stretch_items(fabric), watch.next + count);
+  watch.now = {};
+  scene::add_stretches(fabric, watch.next, end, watch.hair, position, watch.now);
+  watch.longer_squares += watch.now.longer_squares;
+  watch.rest_squares += watch.now.rest_squares;
+  watch.next = end;
+}
+
 template <class T>
 class ArenaOf final : public Arena, public HostObject {
  public:
@@ -20,7 +38,7 @@ class ArenaOf final : public Arena, public HostObject {
       : context_(context), backend_(*context.backend), colliders_(backend_), pins_(backend_) {}
   ~ArenaOf() override { release(); }
 
-  Status build(const ArenaInput& in, double dt_before, double time, Workers workers) override {
+  Status build(const ArenaInput& in, double dt, double time, Workers workers) override {
     release();
     Status status = allocate(plan::device_bytes(in.shape, stride()));
     if (status != Status::ok) return status;
@@ -33,17 +51,15 @@ class ArenaOf final : public Arena, public HostObject {
       in.cloths[c]->settling = substeps_to_settle;
       in.cloths[c]->parts_changed = 0;
     }
-    status = fill(in, dt_before, time);
+    status = fill(in, dt, time);
     if (status != Status::ok) return status;
     params_.resize(in.cloths.size());
     found_.resize(static_cast<size_t>(places.back().survey_groups));
     status = upload_params(in);
     if (status != Status::ok) return status;
-    Frame<T> frame = make_frame(in, {1, dt_before, dt_before, time, workers});
+    Frame<T> frame = make_frame(in, {1, dt, dt, time, workers});
     frame.sim.activity = nullptr;  // nobody sleeps through these
-    const bool any =
-        std::any_of(in.cloths.begin(), in.cloths.end(), [](auto* c) { return !c->moved; });
-    if (any && in.world->start != Start::lagged) {
+    if (any_starts(in) && in.world->start != Start::lagged) {
       status = backend_.start(frame);
       sim_ = frame.sim;
       sim_.activity = device_.sim.activity;
@@ -67,7 +83,90 @@ class ArenaOf final : public Arena, public HostObject {
     for (ClothRecord* cloth : in.cloths) {
       cloth->settling = std::max(0, cloth->settling - input.substeps);
     }
-    return status == Status::ok ? read_survey(in) : status;
+    if (status == Status::ok) status = read_survey(in);
+    return status == Status::ok ? follow_cloths(in, input.workers) : status;
+  }
+
+  Status watch_stretch(const ArenaInput& in) override {
+    const bool host = backend_.info().host_memory;
+    // What must be fetched is looked at as a whole, and rarely.
+    if (!host && ++frames_unwatched_ < 64) return Status::ok;
+    frames_unwatched_ = 0;
+    for (ClothRecord* cloth : in.cloths) {
+      if (cloth->asleep) continue;
+      const scene::CookedFabric& fabric = cloth->cooked();
+      const auto at = [&](const T* p, size_t pitch) {
+        return double3{p[0], p[pitch], p[2 * pitch]};
+      };
+      if (host) {
+        const T* from = sim_.x[0].data + int64_t(cloth->first()) * stride();
+        const size_t step = size_t(stride()), pitch = sim_.x[0].pitch;
+        const uint64_t count = watched_in_a_frame(scene::stretch_items(fabric));
+        look_at_springs(*cloth, count,
+                        [&](uint32_t v) { return at(from + fabric.storage(v) * step, pitch); });
+      } else {
+        const Status status = fetch(sim_.x[0], cloth->first(), fabric.vertices, watched_);
+        if (status != Status::ok) return status;
+        look_at_springs(*cloth, scene::stretch_items(fabric),
+                        [&](uint32_t v) { return at(&watched_[fabric.storage(v)].x, 1); });
+      }
+    }
+    return Status::ok;
+  }
+
+  Status probe(const ArenaInput& in, const FrameInput& input) override {
+    const int64_t elements = int64_t(sim_.blocks) * block_size;
+    Vec3Array<T> x{}, d{};
+    const auto cut = [&](char* base) {
+      plan::Cutter cutter(base, static_cast<size_t>(stride()));
+      cutter(x, elements);
+      cutter(d, elements);
+      return cutter.bytes();
+    };
+    const size_t bytes = cut(nullptr);
+    void* memory = backend_.allocate(context_.memory.hooks(), bytes);
+    if (!memory) {
+      return context_.fail(
+          Status::out_of_memory,
+          text("no %zu bytes of device memory (velocities need them) make the scene smaller",
+               bytes));
+    }
+    cut(static_cast<char*>(memory));
+    Status status = colliders_.upload(in, input, device_);
+    if (status == Status::ok) status = pins_.upload(in, input, device_.sim.pins);
+    Frame<T> frame = make_frame(in, input);
+    const Vec3Array<T> moved = position_form_ ? x : d;
+    frame.sim.activity = nullptr;  // no colliders
+    if (status == Status::ok) status = backend_.probe(frame, x, d);
+    if (status == Status::ok) status = fetch(moved, 0, size_t(elements), probed_free_);
+    frame.sim.activity = device_.sim.activity;
+    frame.by_block = colliders_.by_block();
+    if (status == Status::ok) status = backend_.probe(frame, x, d);
+    if (status == Status::ok) status = fetch(moved, 0, size_t(elements), probed_);
+    backend_.release(context_.memory.hooks(), memory, bytes);
+    return status;
+  }
+
+  Status read_probe(const ClothRecord& cloth, Vector<Probed>& out) override {
+    const uint32_t vertices = cloth.cooked().vertices;
+    Vector<Vec3<T>> now;
+    if (position_form_) {
+      const Status status = fetch(sim_.x[0], cloth.first(), vertices, now);
+      if (status != Status::ok) return status;
+    }
+    const bool tethered = TethersPart::used(cloth);
+    out.resize(vertices);
+    for (uint32_t v = 0; v < vertices; ++v) {
+      const uint32_t s = cloth.cooked().storage(v);
+      const Vec3<T>&with = probed_[size_t(cloth.first()) + s],
+            &without = probed_free_[size_t(cloth.first()) + s];
+      const bool same = with.x == without.x && with.y == without.y && with.z == without.z;
+      out[v] = {{with.x, with.y, with.z}, tethered || !same};
+      if (position_form_) {
+        out[v].displacement = minus(out[v].displacement, {now[s].x, now[s].y, now[s].z});
+      }
+    }
+    return Status::ok;
   }
 
   Status normals(const ArenaInput& in, Workers workers) override {
@@ -79,13 +178,16 @@ class ArenaOf final : public Arena, public HostObject {
     return backend_.normals(frame);
   }
 
-  Status accelerations(const ArenaInput& in, double dt_before, Workers workers) override {
+  Status accelerations(const ArenaInput& in, double dt, double dt_before,
+                       Workers workers) override {
     Frame<T> frame{};
     frame.sim = sim_;
     frame.workers = workers;
     frame.substeps = 1;
     frame.position_form = position_form_;
-    frame.dt = frame.dt_before = dt_before;
+    frame.newcomers = any_starts(in);
+    frame.dt = frame.newcomers ? dt : dt_before;
+    frame.dt_before = dt_before;
     frame.gravity = narrow<T>(in.world->gravity);
     frame.wind = wind_of(in);
     frame.sim.activity = nullptr;
@@ -216,10 +318,10 @@ class ArenaOf final : public Arena, public HostObject {
 
   /// Writes the state of the records to the device, through an image where the host cannot reach
   /// it.
-  Status fill(const ArenaInput& in, double dt_before, double time) {
+  Status fill(const ArenaInput& in, double dt, double time) {
     if (backend_.info().host_memory) {
       std::memset(memory_, 0, allocated_);
-      fill_at(in, dt_before, time, device_);
+      fill_at(in, dt, time, device_);
       return Status::ok;
     }
     Vector<char> memory(allocated_ + 128);
@@ -227,13 +329,17 @@ class ArenaOf final : public Arena, public HostObject {
     size_t room = memory.size();
     char* image = static_cast<char*>(std::align(128, allocated_, base, room));
     plan::DeviceArrays<T> arrays = plan::cut<T>(in.shape, stride(), image);
-    fill_at(in, dt_before, time, arrays);
+    fill_at(in, dt, time, arrays);
     return backend_.to_device(memory_, image, allocated_);
   }
-  void fill_at(const ArenaInput& in, double dt_before, double time, plan::DeviceArrays<T>& image) {
-    fill_image<T>(in, stride(), dt_before, time, image);
+  void fill_at(const ArenaInput& in, double dt, double time, plan::DeviceArrays<T>& image) {
+    fill_image<T>(in, stride(), dt, time, image);
     colliders_.prepare(in, image);
     pins_.prepare(in, image.sim.pins);
+  }
+
+  static bool any_starts(const ArenaInput& in) {
+    return std::any_of(in.cloths.begin(), in.cloths.end(), [](auto* c) { return !c->moved; });
   }
 
   Frame<T> make_frame(const ArenaInput& in, const FrameInput& input) {
@@ -244,6 +350,7 @@ class ArenaOf final : public Arena, public HostObject {
     frame.position_form = position_form_;
     frame.dt = input.dt;
     frame.dt_before = input.dt_before;
+    frame.newcomers = any_starts(in);
     frame.gravity = narrow<T>(in.world->gravity);
     frame.wind = wind_of(in);
     frame.workers = input.workers;
@@ -268,6 +375,33 @@ class ArenaOf final : public Arena, public HostObject {
         backend_.to_host(found_.data(), sim_.survey, found_.size() * sizeof(Survey<T>));
     if (status == Status::ok) take_survey(in, found_);
     return status;
+  }
+
+  /// Takes the origins of cloths that have left theirs along. Inexact would only be a position that
+  /// the shift makes larger: a stray's.
+  Status follow_cloths(const ArenaInput& in, Workers workers) {
+    for (ClothRecord* cloth : in.cloths) {
+      const double3 by = way_of_origin(*cloth);
+      if (same(by, {0, 0, 0})) continue;
+      Status status = shift(sim_.x[0], *cloth, by, workers);
+      if (position_form_ && status == Status::ok) status = shift(sim_.x[2], *cloth, by, workers);
+      if (device_.before.data && status == Status::ok) {
+        status = shift(device_.before, *cloth, by, workers);
+      }
+      if (status != Status::ok) return status;
+      cloth->settling = substeps_to_settle;
+      cloth->origin = plus(cloth->origin, by);
+      cloth->low = minus(cloth->low, by);
+      cloth->high = minus(cloth->high, by);
+      cloth->middle = minus(cloth->middle, by);
+    }
+    return Status::ok;
+  }
+  Status shift(const Vec3Array<T>& of, const ClothRecord& cloth, const double3& by,
+               Workers workers) {
+    const Vec3Array<T> x{of.data + int64_t(cloth.first()) * stride(), of.pitch};
+    const auto particles = static_cast<int>(cloth.cooked().vertices);
+    return backend_.shift(OriginJob<T>{particles, x, narrow<T>(by)}, workers);
   }
 
   /// The positions before a frame, for outputs that lie between it and the next.
@@ -379,6 +513,9 @@ class ArenaOf final : public Arena, public HostObject {
 
   Vector<ClothParams<T>> params_;
   Vector<Survey<T>> found_;
+  Vector<Vec3<T>> watched_;  ///< device memory alone
+  int frames_unwatched_ = 0;
+  Vector<Vec3<T>> probed_, probed_free_;  ///< of the last probe, as the form keeps it
   ColliderInputs<T> colliders_;
   PinInputs<T> pins_;
 };

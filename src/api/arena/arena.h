@@ -18,7 +18,7 @@ struct ArenaInput {
   const WorldDesc* world;
   Vector<ClothRecord*> cloths;  ///< by kernel, then by creation
   const Vector<ColliderRecord>* colliders;
-  const WindDesc* wind;                                  ///< null: none
+  const WindDesc* wind;                             ///< null: none
   Vector<const scene::CookedColliderMesh*> meshes;  ///< each that a collider uses, once
   Vector<size_t> mesh_of_collider;                  ///< by mesh collider, into `meshes`
   plan::WorldShape shape;
@@ -34,6 +34,12 @@ struct FrameInput {
   double dt, dt_before;  ///< s, of a substep
   double time;           ///< s, at the start of the frame
   Workers workers;
+};
+
+/// What a particle would do in a substep more.
+struct Probed {
+  double3 displacement;  ///< m
+  bool held;             ///< by a collider or, perhaps, by a tether
 };
 
 enum class StateArray : uint8_t { position, displacement, acceleration, normal };
@@ -57,13 +63,21 @@ class Arena {
  public:
   virtual ~Arena() = default;
   /// Gives the records their places, fills and uploads; runs the start pass of cloths that have not
-  /// moved, and surveys. `time`: of the world.
-  virtual Status build(const ArenaInput&, double dt_before, double time, Workers) = 0;
+  /// moved, and surveys. `dt`: of the substep to come; `time`: of the world.
+  virtual Status build(const ArenaInput&, double dt, double time, Workers) = 0;
   /// Copies the state of every moved cloth to its record.
   virtual Status save(const ArenaInput&) = 0;
   /// Advances and surveys: the records learn where their cloths are.
   virtual Status frame(const ArenaInput&, const FrameInput&) = 0;
-  virtual Status accelerations(const ArenaInput&, double dt_before, Workers) = 0;
+  /// `dt`: of the substep that the start of cloths that have not moved belongs to.
+  virtual Status accelerations(const ArenaInput&, double dt, double dt_before, Workers) = 0;
+  /// The first substep of a frame that changes nothing; its colliders may be others of the same
+  /// shapes.
+  virtual Status probe(const ArenaInput&, const FrameInput&) = 0;
+  /// What the last probe found, of one cloth in caller order.
+  virtual Status read_probe(const ClothRecord&, Vector<Probed>& out) = 0;
+  /// Looks at some springs of every cloth that is awake (StretchWatch).
+  virtual Status watch_stretch(const ArenaInput&) = 0;
   virtual Status normals(const ArenaInput&, Workers) = 0;
   /// Of one cloth in caller order; positions are local. Accelerations and normals: after the call
   /// that makes them; both overwrite the other.

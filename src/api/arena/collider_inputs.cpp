@@ -28,19 +28,57 @@ Upload upload_of(const Element* to, const Vector<Element>& from) {
   return upload_of(to, from, from.size());
 }
 
+template <class T>
+Vec3<T>& place_of(Sphere<T>& s) {
+  return s.center;
+}
+template <class T>
+Vec3<T>& place_of(Capsule<T>& c) {
+  return c.a;
+}
+template <class T>
+Vec3<T>& place_of(Cylinder<T>& c) {
+  return c.a;
+}
+template <class T>
+Vec3<T>& place_of(Box<T>& b) {
+  return b.center;
+}
+template <class T>
+Vec3<T>& place_of(MeshCollider<T>& m) {
+  return m.translate;
+}
+
 }  // namespace
+
+template <class T>
+template <class Shape>
+void ColliderInputs<T>::Staged<Shape>::place(const double3& origin, size_t cloth) {
+  Shape* to = all.data() + cloth * seen.size();
+  for (const Seen<Shape>& s : seen) {
+    *to = s.shape;
+    place_of(*to) = narrow<T>(minus(s.at, origin));
+    to->surface.pivot = narrow<T>(minus(s.pivot, origin));
+    ++to;
+  }
+}
 
 template <class T>
 void ColliderInputs<T>::prepare(const ArenaInput& in, const plan::DeviceArrays<T>& image) {
   const Counts counts = plan::counts_of(in.shape);
   const size_t cloths = in.cloths.size(), colliders = size_t(counts.all_colliders);
-  const auto staged = [&](ColliderShape shape) { return cloths * in.shape.colliders[int(shape)]; };
-  spheres_.resize(staged(ColliderShape::sphere));
-  planes_.resize(staged(ColliderShape::plane));
-  capsules_.resize(staged(ColliderShape::capsule));
-  cylinders_.resize(staged(ColliderShape::cylinder));
-  boxes_.resize(staged(ColliderShape::box));
-  meshes_.resize(staged(ColliderShape::mesh));
+  const auto size = [&](auto& staged, ColliderShape shape) {
+    const size_t count = in.shape.colliders[int(shape)];
+    staged.seen.clear();
+    staged.seen.reserve(count);
+    staged.all.resize(cloths * count);
+  };
+  size(spheres_, ColliderShape::sphere);
+  planes_.resize(cloths * in.shape.colliders[int(ColliderShape::plane)]);
+  size(capsules_, ColliderShape::capsule);
+  size(cylinders_, ColliderShape::cylinder);
+  size(boxes_, ColliderShape::box);
+  size(meshes_, ColliderShape::mesh);
   followed_.clear();
   followed_.reserve(colliders);
   near_.resize(cloths * colliders);
@@ -55,12 +93,23 @@ void ColliderInputs<T>::prepare(const ArenaInput& in, const plan::DeviceArrays<T
 template <class T>
 void ColliderInputs<T>::follow(const ArenaInput& in, const FrameInput& input) {
   followed_.clear();
+  spheres_.seen.clear();
+  capsules_.seen.clear();
+  cylinders_.seen.clear();
+  boxes_.seen.clear();
+  meshes_.seen.clear();
   int32_t column = 0;
   for (int shape = 0; shape < collider_shapes; ++shape) {
+    if (in.shape.colliders[shape] == 0) continue;
     for (const ColliderRecord& c : *in.colliders) {
       if (!c.id || static_cast<int>(c.shape) != shape) continue;
       const ColliderPath path = path_of(c, input.time, input.substeps * input.dt);
-      followed_.push_back({&c, path, swept_bounds(c, path), path.turns ? column : -1});
+      const SweptBounds bounds = swept_bounds(c, path);
+      const double3 size = minus(bounds.high, bounds.low);
+      const double slack =
+          c.shape == ColliderShape::plane ? 0 : 1e-6 * std::max({size.x, size.y, size.z});
+      followed_.push_back({&c, path, bounds, path.turns ? column : -1, slack});
+      see(followed_.back());
       if (c.can_turn) ++column;
     }
   }
@@ -70,89 +119,123 @@ template <class T>
 void ColliderInputs<T>::stage_turns(const FrameInput& input) {
   for (const Followed& e : followed_) {
     if (e.turn < 0) continue;
+    TurnInParts turn(e.path.begin, e.path.end, input.substeps);
     for (int s = 0; s <= input.substeps; ++s) {
       double3 rows[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-      if (s > 0) turn_between(e.path.begin, e.path.end, double(s) / input.substeps, rows);
+      if (s > 0) turn.next(rows);
       Mat3<T>& to = turns_[size_t(s) * columns_ + size_t(e.turn)];
       for (int r = 0; r < 3; ++r) to.row[r] = narrow<T>(rows[r]);
     }
   }
 }
 
+/// What all cloths see alike of a collider that is no plane.
 template <class T>
-Surface<T> ColliderInputs<T>::surface_of(const Followed& e, const double3& origin) const {
-  return {narrow<T>(e.path.velocity), static_cast<T>(e.record->friction),
-          static_cast<T>(e.record->sweep), e.turn,
-          narrow<T>(minus(e.path.begin.translate, origin))};
-}
-
-/// One collider in the frame of a cloth; next[shape]: where the next of a shape goes.
-template <class T>
-void ColliderInputs<T>::stage(const Followed& e, const double3& origin, size_t* next) {
+void ColliderInputs<T>::see(const Followed& e) {
   const ColliderRecord& c = *e.record;
   const Placed& placed = e.path.begin;
   const auto along = [&](const double3& v) { return narrow<T>(rotate(placed.rows, v)); };
-  const Vec3<T> at = narrow<T>(minus(to_world(placed, c.point), origin));
-  const Surface<T> surface = surface_of(e, origin);
+  const Vec3<T> none{};
+  const Surface<T> surface{narrow<T>(e.path.velocity), static_cast<T>(c.friction),
+                           static_cast<T>(c.sweep), e.turn, none};
+  const double3 &at = e.path.at, &pivot = placed.translate;
   const T size = static_cast<T>(c.size);
-  const size_t i = next[static_cast<int>(c.shape)]++;
   switch (c.shape) {
     case ColliderShape::sphere:
-      spheres_[i] = {at, size, surface};
+      spheres_.seen.push_back({{none, size, surface}, at, pivot});
       break;
-    case ColliderShape::plane: {
-      const double3 normal = rotate(placed.rows, c.point);
-      const double offset = c.size + inner(normal, placed.translate) - inner(normal, origin);
-      planes_[i] = {narrow<T>(normal), static_cast<T>(offset), surface};
+    case ColliderShape::plane:
       break;
-    }
     case ColliderShape::capsule: {
       const double length2 = inner(c.axis, c.axis);
       const T inverse = static_cast<T>(length2 > 0 ? 1 / length2 : 0);
-      capsules_[i] = {at, along(c.axis), inverse, size, along(c.side), surface};
+      capsules_.seen.push_back(
+          {{none, along(c.axis), inverse, size, along(c.side), surface}, at, pivot});
       break;
     }
     case ColliderShape::cylinder:
-      cylinders_[i] = {at, along(c.axis), static_cast<T>(c.length), size, along(c.side), surface};
+      cylinders_.seen.push_back(
+          {{none, along(c.axis), static_cast<T>(c.length), size, along(c.side), surface},
+           at,
+           pivot});
       break;
     case ColliderShape::box:
-      boxes_[i] = {at,
-                   {along(c.edges[0]), along(c.edges[1]), along(c.edges[2])},
-                   narrow<T>(c.half),
-                   surface};
+      boxes_.seen.push_back({{none,
+                              {along(c.edges[0]), along(c.edges[1]), along(c.edges[2])},
+                              narrow<T>(c.half),
+                              surface},
+                             at,
+                             pivot});
       break;
-    case ColliderShape::mesh:
-      meshes_[i].rotation = {
+    case ColliderShape::mesh: {
+      MeshCollider<T> mesh{};
+      mesh.rotation = {
           {narrow<T>(placed.rows[0]), narrow<T>(placed.rows[1]), narrow<T>(placed.rows[2])}};
-      meshes_[i].translate = narrow<T>(minus(placed.translate, origin));
-      meshes_[i].surface = surface;
+      mesh.surface = surface;
+      meshes_.seen.push_back({mesh, at, pivot});
       break;
+    }
+  }
+}
+
+template <class T>
+Plane<T> ColliderInputs<T>::plane_of(const Followed& e, const double3& origin, double dt) const {
+  const ColliderRecord& c = *e.record;
+  const double3 normal = rotate(e.path.begin.rows, c.normal);
+  Plane<T> plane{};
+  plane.normal = narrow<T>(normal);
+  const ColliderPath seen = e.path.turns ? seen_from(origin, e.path, c, dt) : e.path;
+  plane.surface = {narrow<T>(seen.velocity), static_cast<T>(c.friction), static_cast<T>(c.sweep),
+                   e.turn, narrow<T>(minus(seen.begin.translate, origin))};
+  plane.offset = static_cast<T>(offset_of(c, e.path) - inner(normal, origin));
+  return plane;
+}
+
+/// All colliders in the frame of a cloth.
+template <class T>
+void ColliderInputs<T>::place_all(const double3& origin, double dt, size_t cloth) {
+  spheres_.place(origin, cloth);
+  capsules_.place(origin, cloth);
+  cylinders_.place(origin, cloth);
+  boxes_.place(origin, cloth);
+  meshes_.place(origin, cloth);
+  if (planes_.empty()) return;
+  const size_t first_plane = spheres_.seen.size();  // the planes follow the spheres
+  const size_t planes = followed_.size() - first_plane - capsules_.seen.size() -
+                        cylinders_.seen.size() - boxes_.seen.size() - meshes_.seen.size();
+  for (size_t i = 0; i < planes; ++i) {
+    planes_[cloth * planes + i] = plane_of(followed_[first_plane + i], origin, dt);
   }
 }
 
 /// Lists the colliders that a cloth can touch, at near_[first] and on; returns how many.
 template <class T>
-size_t ColliderInputs<T>::find_near(const ClothRecord& cloth, double margin, size_t first,
-                                    ClothActivity<T>& activity) {
+size_t ColliderInputs<T>::find_near(const ClothRecord& cloth, double margin, double dt,
+                                    size_t first, ClothActivity<T>& activity) {
   // Rounding to T must not take anything off the list.
   const double slack = 1e-6 * (length(cloth.low) + length(cloth.high)) + 1e-9;
   const double3 low = plus(box_low(cloth.low, margin + slack), cloth.origin);
   const double3 high = plus(box_high(cloth.high, margin + slack), cloth.origin);
-  size_t next = first, seen[collider_shapes] = {};
+  size_t next = first, e = 0;
   for (int shape = 0; shape < collider_shapes; ++shape) {
     activity.near_first[shape] = static_cast<int>(next);
-    for (const Followed& e : followed_) {
-      if (static_cast<int>(e.record->shape) != shape) continue;
-      const size_t index = seen[shape]++;
-      if (!overlaps(low, high, e.bounds)) continue;
-      near_[next] = static_cast<int32_t>(index);
-      const SweptBounds& r = e.bounds;
-      near_bounds_[next] = {narrow<T>(box_low(minus(r.low, cloth.origin), slack)),
-                            narrow<T>(box_high(minus(r.high, cloth.origin), slack)),
+    for (int32_t index = 0; e < followed_.size(); ++e, ++index) {
+      const Followed& f = followed_[e];
+      if (static_cast<int>(f.record->shape) != shape) break;
+      if (!overlaps(box_low(low, f.slack), box_high(high, f.slack), f.bounds)) continue;
+      const bool tilts = f.record->shape == ColliderShape::plane && f.path.turns;
+      const SweptBounds r = tilts ? swept_bounds_in(low, high, *f.record,
+                                                    seen_from(cloth.origin, f.path, *f.record, dt))
+                                  : f.bounds;
+      if (tilts && !overlaps(low, high, r)) continue;
+      const double by = slack + f.slack;
+      near_[next] = index;
+      near_bounds_[next] = {narrow<T>(box_low(minus(r.low, cloth.origin), by)),
+                            narrow<T>(box_high(minus(r.high, cloth.origin), by)),
                             narrow<T>(minus(r.center, cloth.origin)),
-                            static_cast<T>((r.radius + slack) * (r.radius + slack)),
+                            static_cast<T>((r.radius + by) * (r.radius + by)),
                             narrow<T>(r.normal),
-                            static_cast<T>(r.offset - inner(r.normal, cloth.origin) + slack)};
+                            static_cast<T>(r.offset - inner(r.normal, cloth.origin) + by)};
       ++next;
     }
     activity.near_end[shape] = static_cast<int>(next);
@@ -173,10 +256,11 @@ void ColliderInputs<T>::stage_activity(const ClothRecord& cloth, const FrameInpu
   if (followed_.empty()) return;
   const double time = input.substeps * input.dt;
   const double size = length(minus(cloth.high, cloth.low));
+  const double before = cloth.moved ? input.dt_before : input.dt;
   const double margin =
-      1.5 * cloth.furthest * (time / input.dt_before) + gravity * time * time + 1e-3 * size;
+      1.5 * cloth.furthest * (time / before) + gravity * time * time + 1e-3 * size;
   if (!std::isfinite(margin) || !std::isfinite(size)) return;
-  const size_t near = find_near(cloth, margin, first_near, activity);
+  const size_t near = find_near(cloth, margin, time, first_near, activity);
   activity.nearness = near == 0 ? Nearness::cloth : Nearness::block;
   activity.low = narrow<T>(box_low(cloth.low, margin));
   activity.high = narrow<T>(box_high(cloth.high, margin));
@@ -191,31 +275,26 @@ Status ColliderInputs<T>::upload(const ArenaInput& in, const FrameInput& input,
   if (activity_.empty()) return Status::ok;
   follow(in, input);
   stage_turns(input);
-  size_t next[collider_shapes] = {};
-  const double gravity = length(in.world->gravity);
+  const double gravity = length(in.world->gravity), time = input.substeps * input.dt;
   for (size_t c = 0; c < in.cloths.size(); ++c) {
-    for (const Followed& e : followed_) stage(e, in.cloths[c]->origin, next);
+    place_all(in.cloths[c]->origin, time, c);
     stage_activity(*in.cloths[c], input, gravity, c * followed_.size(), activity_[c]);
   }
-  for (size_t i = 0, of = 0; i < meshes_.size(); ++i, ++of) {
+  for (size_t i = 0, of = 0; i < meshes_.all.size(); ++i, ++of) {
     if (of == in.mesh_of_collider.size()) of = 0;
     const size_t m = in.mesh_of_collider[of];
-    meshes_[i].grid = device.meshes[m];
-    set_numbers(*in.meshes[m], meshes_[i].grid);
+    meshes_.all[i].grid = device.meshes[m];
+    set_numbers(*in.meshes[m], meshes_.all[i].grid);
   }
 
   const Colliders<T>& to = device.sim.colliders;
   const size_t turns = columns_ > 0 ? columns_ * (size_t(input.substeps) + 1) : 0;
-  const Upload uploads[] = {upload_of(to.spheres, spheres_),
-                            upload_of(to.planes, planes_),
-                            upload_of(to.capsules, capsules_),
-                            upload_of(to.cylinders, cylinders_),
-                            upload_of(to.boxes, boxes_),
-                            upload_of(to.meshes, meshes_),
-                            upload_of(to.turn, turns_, turns),
-                            upload_of(to.near, near_),
-                            upload_of(to.near_bounds, near_bounds_),
-                            upload_of(device.sim.activity, activity_)};
+  const Upload uploads[] = {
+      upload_of(to.spheres, spheres_.all),     upload_of(to.planes, planes_),
+      upload_of(to.capsules, capsules_.all),   upload_of(to.cylinders, cylinders_.all),
+      upload_of(to.boxes, boxes_.all),         upload_of(to.meshes, meshes_.all),
+      upload_of(to.turn, turns_, turns),       upload_of(to.near, near_),
+      upload_of(to.near_bounds, near_bounds_), upload_of(device.sim.activity, activity_)};
   for (const Upload& u : uploads) {
     if (u.bytes == 0) continue;
     const Status status = backend_.to_device(const_cast<void*>(u.to), u.from, u.bytes);

@@ -25,24 +25,39 @@ class ColliderInputs {
     ColliderPath path;
     SweptBounds bounds;
     int32_t turn;
+    double slack;  ///< m: what rounding to T may take off the bounds
   };
 
   void follow(const ArenaInput&, const FrameInput&);
   void stage_turns(const FrameInput&);
-  Surface<T> surface_of(const Followed&, const double3& origin) const;
-  void stage(const Followed&, const double3& origin, size_t* next);
+  void see(const Followed&);
+  Plane<T> plane_of(const Followed&, const double3& origin, double dt) const;
+  void place_all(const double3& origin, double dt, size_t cloth);
   void stage_activity(const ClothRecord&, const FrameInput&, double gravity, size_t first_near,
                       ClothActivity<T>&);
-  size_t find_near(const ClothRecord&, double margin, size_t first, ClothActivity<T>&);
+  size_t find_near(const ClothRecord&, double margin, double dt, size_t first, ClothActivity<T>&);
+
+  /// A shape as every cloth sees it, but for where its origin is.
+  template <class Shape>
+  struct Seen {
+    Shape shape;
+    double3 at, pivot;  ///< in the world
+  };
+  template <class Shape>
+  struct Staged {
+    Vector<Seen<Shape>> seen;
+    Vector<Shape> all;  ///< [cloth][collider]
+    void place(const double3& origin, size_t cloth);
+  };
 
   const Backend& backend_;
   Vector<Followed> followed_;  ///< by shape, then by slot: the order in which they are met
-  Vector<Sphere<T>> spheres_;
+  Staged<Sphere<T>> spheres_;
   Vector<Plane<T>> planes_;
-  Vector<Capsule<T>> capsules_;
-  Vector<Cylinder<T>> cylinders_;
-  Vector<Box<T>> boxes_;
-  Vector<MeshCollider<T>> meshes_;
+  Staged<Capsule<T>> capsules_;
+  Staged<Cylinder<T>> cylinders_;
+  Staged<Box<T>> boxes_;
+  Staged<MeshCollider<T>> meshes_;
   Vector<Mat3<T>> turns_;  ///< [substep + 1][column]
   Vector<int32_t> near_;
   Vector<ColliderBounds<T>> near_bounds_;

@@ -38,11 +38,11 @@ class ImageFiller {
   ImageFiller(const ArenaInput& in, int vector_stride, plan::DeviceArrays<T>& image)
       : in_(in), stride_(vector_stride), image_(image), sim_(image.sim), springs_(in, image.sim) {}
 
-  void fill(double dt_before, double time) {
+  void fill(double dt, double time) {
     for (const ClothRecord* cloth : in_.cloths) {
       std::fill_n(writable(sim_.block.cloth) + cloth->first() / block_size, slices_of(*cloth),
                   static_cast<int32_t>(cloth->place.cloths));
-      fill_state(*cloth, dt_before, time);
+      fill_state(*cloth, dt, time);
       if (cloth->cooked().is_grid) {
         fill_presence(*cloth);
       } else if (sim_.triangles.start) {
@@ -60,7 +60,7 @@ class ImageFiller {
  private:
   VectorWriter<T> vectors(const Vec3Array<T>& array) const { return {array, stride_}; }
 
-  void fill_state(const ClothRecord& cloth, double dt_before, double time) {
+  void fill_state(const ClothRecord& cloth, double dt, double time) {
     const bool position_form = in_.world->form == Form::position;
     const bool kept = image_.before.data != nullptr;
     const VectorWriter<T> x = vectors(sim_.x[0]), before = vectors(image_.before);
@@ -79,7 +79,7 @@ class ImageFiller {
       }
       const double3 at =
           plus(minus(start_position(cloth, v), cloth.origin), start_offset(cloth, v, time));
-      const double3 by = start_displacement(cloth, v, dt_before, time);
+      const double3 by = start_displacement(cloth, v, dt, time);
       x.set(i, narrow<T>(at));
       if (kept) before.set(i, narrow<T>(at));
       d.set(i, narrow<T>(position_form ? minus(at, by) : by));
@@ -150,9 +150,9 @@ class ImageFiller {
 }  // namespace
 
 template <class T>
-void fill_image(const ArenaInput& in, int vector_stride, double dt_before, double time,
+void fill_image(const ArenaInput& in, int vector_stride, double dt, double time,
                 plan::DeviceArrays<T>& image) {
-  ImageFiller<T>(in, vector_stride, image).fill(dt_before, time);
+  ImageFiller<T>(in, vector_stride, image).fill(dt, time);
 }
 
 template <class T>
@@ -161,6 +161,7 @@ void fill_params(const ArenaInput& in, Vector<ClothParams<T>>& out) {
     const ClothRecord& cloth = *in.cloths[c];
     ClothParams<T> p{};
     p.first = cloth.first();
+    p.end = p.first + static_cast<int>(cloth.cooked().vertices);
     if (cloth.cooked().is_grid) {
       fill_grid_constants(cloth.cooked(), p);
     } else {

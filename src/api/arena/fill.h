@@ -8,8 +8,9 @@
 namespace weft::api {
 
 /// Everything but colliders, pins and motions, which change from frame to frame. The image is 0.
+/// `dt`: of the substep to come.
 template <class T>
-void fill_image(const ArenaInput&, int vector_stride, double dt_before, double time,
+void fill_image(const ArenaInput&, int vector_stride, double dt, double time,
                 plan::DeviceArrays<T>& image);
 
 /// Parameters of the cloths; `starting` marks those that have not moved.

@@ -33,7 +33,7 @@ class PinInputs {
   Vector<PinSlot> slots_;
   Vector<int32_t> motion_;
   Vector<T> base_, glide_;  ///< arrays of vectors in the back end's layout
-  size_t pitch_ = 0;             ///< of both
+  size_t pitch_ = 0;        ///< of both
   size_t motions_ = 0;
   Vector<Vec3<T>> offsets_;  ///< [substep][motion]
 };

@@ -69,6 +69,7 @@ weft_world_desc weft_default_world(void) {
           static_cast<uint8_t>(d.form),
           static_cast<uint8_t>(d.start),
           d.substeps,
+          d.max_substeps,
           d.safety,
           d.unsafe,
           d.fixed_dt,

@@ -69,6 +69,7 @@ WorldDesc from_c(const weft_world_desc& d) {
   out.form = choice<Form>(d.form);
   out.start = choice<Start>(d.start);
   out.substeps = d.substeps;
+  out.max_substeps = d.max_substeps;
   out.safety = d.safety;
   out.unsafe = d.unsafe;
   out.fixed_dt = d.fixed_dt;
@@ -122,9 +123,9 @@ ColliderSetDesc from_c(const weft_collider_set_desc& d) {
                 sizeof(CapsuleDesc) == sizeof(weft_capsule_desc) &&
                 sizeof(CylinderDesc) == sizeof(weft_cylinder_desc) &&
                 sizeof(BoxDesc) == sizeof(weft_box_desc));
-  return {from_c<SphereDesc>(d.spheres), from_c<PlaneDesc>(d.planes),
+  return {from_c<SphereDesc>(d.spheres),   from_c<PlaneDesc>(d.planes),
           from_c<CapsuleDesc>(d.capsules), from_c<CylinderDesc>(d.cylinders),
-          from_c<BoxDesc>(d.boxes)};
+          from_c<BoxDesc>(d.boxes),        d.may_stretch};
 }
 
 OutputDesc from_c(const weft_output_desc& d) {

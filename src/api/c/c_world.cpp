@@ -173,7 +173,7 @@ weft_status weft_advance_frame(weft_world* w, double frame_dt, weft_advance* out
   return take(
       w, out, [&](World& world) { return world.advance(frame_dt); },
       [](const Advance& a, weft_advance& made) {
-        made = {a.steps, a.alpha};
+        made = {a.steps, a.alpha, a.time};
       });
 }
 weft_status weft_begin_step(weft_world* w, double dt) {

@@ -98,6 +98,10 @@ const char* to_string(EventType type) noexcept {
       return "time_dropped";
     case EventType::force_overflow:
       return "force_overflow";
+    case EventType::large_stretch:
+      return "large_stretch";
+    case EventType::large_energy:
+      return "large_energy";
   }
   return "unknown";
 }

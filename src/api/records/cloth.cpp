@@ -130,7 +130,7 @@ void checked_forces(View<VertexForce> forces, uint32_t vertices,
     out.push_back(forces[i]);
   }
   weft::stable_sort(out.begin(), out.end(),
-                   [](const VertexForce& a, const VertexForce& b) { return a.vertex < b.vertex; });
+                    [](const VertexForce& a, const VertexForce& b) { return a.vertex < b.vertex; });
   size_t kept = 0;
   for (size_t i = 0; i < out.size(); ++i) {
     const VertexForce force = out[i];
@@ -146,21 +146,40 @@ void checked_forces(View<VertexForce> forces, uint32_t vertices,
 
 namespace {
 
-/// Middle of the bounds in whole metres, which every float holds exactly.
-double3 local_origin(const ClothRecord& cloth) {
-  double3 lo{0, 0, 0}, hi{0, 0, 0};
+/// The particles of a cloth along one axis, at the start: their middle, and how far most of
+/// them are from it.
+struct Spread {
+  double middle, extent;
+};
+Spread spread_of(const ClothRecord& cloth, double double3::*axis) {
   const uint32_t vertices = cloth.cooked().vertices;
+  if (vertices == 0) return {0, 0};
   const bool corners_do = cloth.cooked().is_grid && cloth.positions.empty();
   const uint32_t columns = corners_do ? cloth.cooked().grid.columns : 1;
   const uint32_t corner[4] = {0, columns - 1, vertices - columns, vertices - 1};
-  for (uint32_t i = 0; i < (corners_do ? 4 : vertices); ++i) {
-    const double3 x = start_position(cloth, corners_do ? corner[i] : i);
-    if (i == 0) lo = hi = x;
-    lo = {std::min(lo.x, x.x), std::min(lo.y, x.y), std::min(lo.z, x.z)};
-    hi = {std::max(hi.x, x.x), std::max(hi.y, x.y), std::max(hi.z, x.z)};
+  Vector<double> at(corners_do ? 4 : vertices);
+  for (uint32_t i = 0; i < at.size(); ++i) {
+    at[i] = start_position(cloth, corners_do ? corner[i] : i).*axis;
   }
-  return {std::nearbyint((lo.x + hi.x) / 2), std::nearbyint((lo.y + hi.y) / 2),
-          std::nearbyint((lo.z + hi.z) / 2)};
+  const auto [low, high] = std::minmax_element(at.begin(), at.end());
+  const double half = (*high - *low) / 2, middle = (*high + *low) / 2;
+  if (corners_do || vertices < 3) return {middle, half};
+  // Strays must not take the precision of the others: most are within `near` of the median.
+  std::nth_element(at.begin(), at.begin() + ptrdiff_t(at.size() / 2), at.end());
+  const double median = at[at.size() / 2];
+  for (double& a : at) a = std::fabs(a - median);
+  const auto most = at.begin() + ptrdiff_t(at.size() - 1 - std::max<size_t>(1, at.size() / 10));
+  std::nth_element(at.begin(), most, at.end());
+  const double near = *most;
+  return half <= 4 * near ? Spread{middle, half} : Spread{median, 2 * near};
+}
+
+/// In whole metres, which every float holds exactly.
+void set_origin(ClothRecord& cloth) {
+  const Spread x = spread_of(cloth, &double3::x), y = spread_of(cloth, &double3::y),
+               z = spread_of(cloth, &double3::z);
+  cloth.origin = {std::nearbyint(x.middle), std::nearbyint(y.middle), std::nearbyint(z.middle)};
+  cloth.extent = std::max({x.extent, y.extent, z.extent});
 }
 
 }  // namespace
@@ -182,7 +201,7 @@ void fill_record(const ClothDesc& desc, ClothRecord& cloth) {
   cloth.user_data = desc.user_data;
   set_pins(desc, vertices, cloth);
   checked_forces(desc.forces, vertices, cloth.forces);
-  cloth.origin = local_origin(cloth);
+  set_origin(cloth);
 }
 
 void wake(ClothRecord& cloth) {
@@ -191,7 +210,7 @@ void wake(ClothRecord& cloth) {
 }
 
 void notice_rest(ClothRecord& cloth, double dt, double substep) {
-  if (cloth.sleep_speed <= 0 || cloth.asleep) return;
+  if (cloth.sleep_speed <= 0 || cloth.asleep || cloth.pins_led) return;
   // However slowly its pins are led, they must not be left behind.
   for (const PinRecord& pin : cloth.pins) {
     if (pin.motion >= 0) return;

@@ -22,6 +22,27 @@ ColliderRecord begin(ColliderShape shape, const Desc& desc, const char* velocity
   return record;
 }
 
+double largest(const double3& v) {
+  return std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)});
+}
+
+/// The description is where the collider is: nothing of it is turned.
+void place(ColliderRecord& r, const double3& middle) {
+  r.described.translate = middle;
+  r.placed = r.described;
+}
+
+/// The vector along which a capsule or cylinder lies, from end to end.
+double3 extent(const ColliderRecord& r) {
+  return r.shape == ColliderShape::cylinder ? times(r.length, r.axis) : r.axis;
+}
+void set_least_half_width(ColliderRecord& r) {
+  const double half = r.shape == ColliderShape::box ? std::min({r.half.x, r.half.y, r.half.z})
+                      : r.shape == ColliderShape::cylinder ? std::min(r.size, r.length / 2)
+                                                           : r.size;
+  r.sweep = half / 4;
+}
+
 /// A unit vector across a unit vector, away from its largest component.
 double3 across(const double3& axis) {
   const double x = std::fabs(axis.x), y = std::fabs(axis.y), z = std::fabs(axis.z);
@@ -39,7 +60,9 @@ ColliderRecord record_of(const SphereDesc& desc) {
   r.point = checked_vector(desc.center, "sphere.center");
   scene::check_positive(desc.radius, "sphere.radius");
   r.size = desc.radius;
-  r.sweep = r.size / 4;
+  set_least_half_width(r);
+  r.coordinate = largest(r.point);
+  place(r, r.point);
   return r;
 }
 
@@ -53,20 +76,28 @@ ColliderRecord record_of(const PlaneDesc& desc) {
              "ordinary length",
              n.x, n.y, n.z));
   }
-  r.point = {n.x / size, n.y / size, n.z / size};
+  r.normal = {n.x / size, n.y / size, n.z / size};
   scene::check_finite(desc.offset, "plane.offset");
   r.size = desc.offset;
+  r.coordinate = std::fabs(r.size);
+  r.side = across(r.normal);
+  r.described.endless = true;
+  place(r, times(r.size, r.normal));
   return r;
 }
 
 ColliderRecord record_of(const CapsuleDesc& desc) {
   ColliderRecord r = begin(ColliderShape::capsule, desc, "capsule.velocity", "capsule.friction");
   r.point = checked_vector(desc.a, "capsule.a");
-  r.axis = minus(checked_vector(desc.b, "capsule.b"), r.point);
+  const double3 end = checked_vector(desc.b, "capsule.b");
+  r.axis = minus(end, r.point);
   scene::check_positive(desc.radius, "capsule.radius");
   r.size = desc.radius;
   const double size = length(r.axis);
-  r.sweep = r.size / 4;
+  set_least_half_width(r);
+  r.to_point = times(-0.5, r.axis);
+  r.coordinate = std::max(largest(r.point), largest(end));
+  place(r, plus(times(0.5, r.point), times(0.5, end)));
   r.side = size > 0 ? across(times(1 / size, r.axis)) : double3{0, 1, 0};
   return r;
 }
@@ -74,7 +105,8 @@ ColliderRecord record_of(const CapsuleDesc& desc) {
 ColliderRecord record_of(const CylinderDesc& desc) {
   ColliderRecord r = begin(ColliderShape::cylinder, desc, "cylinder.velocity", "cylinder.friction");
   r.point = checked_vector(desc.a, "cylinder.a");
-  const double3 along = minus(checked_vector(desc.b, "cylinder.b"), r.point);
+  const double3 end = checked_vector(desc.b, "cylinder.b");
+  const double3 along = minus(end, r.point);
   scene::check_positive(desc.radius, "cylinder.radius");
   r.size = desc.radius;
   r.length = length(along);
@@ -83,7 +115,10 @@ ColliderRecord record_of(const CylinderDesc& desc) {
         "cylinder.a and cylinder.b are the same point (a cylinder has a length) move "
         "them apart, or use a sphere");
   }
-  r.sweep = std::min(r.size, r.length / 2) / 4;
+  set_least_half_width(r);
+  r.to_point = times(-0.5, along);
+  r.coordinate = std::max(largest(r.point), largest(end));
+  place(r, plus(times(0.5, r.point), times(0.5, end)));
   r.axis = times(1 / r.length, along);
   r.side = across(r.axis);
   return r;
@@ -96,7 +131,9 @@ ColliderRecord record_of(const BoxDesc& desc) {
   scene::check_positive(desc.half.y, "box.half.y");
   scene::check_positive(desc.half.z, "box.half.z");
   r.half = desc.half;
-  r.sweep = std::min({r.half.x, r.half.y, r.half.z}) / 4;
+  set_least_half_width(r);
+  r.coordinate = largest(r.point);
+  place(r, r.point);
   double3 rows[3];
   rotation_rows(desc.axis, desc.degrees, "box", rows);
   // The edges are the columns of the rotation.
@@ -112,11 +149,14 @@ ColliderRecord record_of(const MeshColliderDesc& desc) {
     throw InvalidInput(
         "mesh.mesh is empty (there is nothing to collide with) cook a ColliderMesh first");
   }
-  r.described = r.placed = placed_by(desc.pose, "mesh.pose");
+  r.described = placed_by(desc.pose, "mesh.pose");
+  r.point = r.described.translate;
   r.mesh = desc.mesh;
   r.cooked_mesh = &desc.mesh.impl()->cooked;
   const double3 low = r.cooked_mesh->zone_low, high = r.cooked_mesh->zone_high;
-  r.point = times(0.5, plus(low, high));
+  const double3 middle = plus(times(0.5, low), times(0.5, high));
+  r.to_point = times(-1, middle);
+  place(r, to_world(r.described, middle));
   r.half = times(0.5, minus(high, low));
   r.edges[0] = {1, 0, 0};
   r.edges[1] = {0, 1, 0};
@@ -124,53 +164,124 @@ ColliderRecord record_of(const MeshColliderDesc& desc) {
   return r;
 }
 
-static void check_size(double size, double was, const char* name, const char* what) {
-  if (std::fabs(size - was) <= 1e-4 * was) return;
-  throw InvalidInput(
-      text("%s: the %s is %g m (it was %g m: a collider moves, it does not grow) "
-           "keep it, or create the set anew",
-           name, what, size, was));
+namespace {
+
+/// m: of float at a coordinate.
+double float_ulp(double coordinate) {
+  return coordinate > 0 ? std::ldexp(1.0, std::max(std::ilogb(coordinate), -126) - 23) : 0;
 }
 
-Placed motion_to(const ColliderRecord& c, const ColliderRecord& other, const char* name) {
-  const double size = length(c.axis), size_other = length(other.axis);
-  Placed to;
-  switch (c.shape) {
-    case ColliderShape::sphere:
-      check_size(other.size, c.size, name, "radius");
-      break;
-    case ColliderShape::plane:
-      to = turn_from_to(c.point, other.point, across(c.point));
-      to.translate = times(other.size - c.size, other.point);
-      return to;
-    case ColliderShape::capsule:
-      check_size(other.size, c.size, name, "radius");
-      check_size(size_other, size, name, "length");
-      if (size > 0) {
-        to = turn_from_to(times(1 / size, c.axis), times(1 / size_other, other.axis), c.side);
-      }
-      break;
-    case ColliderShape::cylinder:
-      check_size(other.size, c.size, name, "radius");
-      check_size(other.length, c.length, name, "length");
-      to = turn_from_to(c.axis, other.axis, c.side);
-      break;
-    case ColliderShape::box:
-      check_size(other.half.x, c.half.x, name, "half edge along x");
-      check_size(other.half.y, c.half.y, name, "half edge along y");
-      check_size(other.half.z, c.half.z, name, "half edge along z");
-      to = turn_of_edges(c.edges, other.edges);
-      break;
-    case ColliderShape::mesh:
-      break;
+struct SizeCheck {
+  const char* view;
+  uint32_t index;
+  double coordinate;
+
+  void operator()(double size, double was, const char* what) const {
+    const double most = std::max(1e-4 * was, 4 * float_ulp(coordinate));
+    if (std::fabs(size - was) <= most) return;
+    throw InvalidInput(
+        text("%s[%u]: the %s is %g m (it was %g m: a collider moves, it does not grow) "
+             "keep it, set may_stretch, or create the set anew",
+             view, index, what, size, was));
   }
-  to.translate = minus(other.point, rotate(to.rows, c.point));
+};
+
+/// Whether two vectors differ by no more than the rounding of the coordinates they come from.
+bool alike(const double3& a, const double3& b, double coordinate) {
+  return largest(minus(a, b)) <= 4 * std::numeric_limits<double>::epsilon() * coordinate;
+}
+bool edges_alike(const ColliderRecord& c, const Placed& from, const ColliderRecord& other) {
+  bool all = true;
+  for (int e = 0; e < 3; ++e) all &= alike(rotate(from.rows, c.edges[e]), other.edges[e], 1);
+  return all;
+}
+
+/// From plane to plane about the line where they meet; by more than a right angle straight across,
+/// as that line can then be far from where the plane was.
+Placed hinged(const ColliderRecord& c, const Placed& from, const ColliderRecord& other) {
+  const double3 before = rotate(from.rows, c.normal), after = other.normal;
+  const bool turns = !alike(before, after, 1);
+  Placed to = from;
+  if (turns) to = turned_further(turn_from_to(before, after, rotate(from.rows, c.side)), from);
+  const double3& p = from.translate;
+  const double off = other.size - inner(after, p), both = 1 + inner(before, after);
+  const double least =
+      4 * std::numeric_limits<double>::epsilon() * std::max(std::fabs(other.size), largest(p));
+  if (!turns && std::fabs(off) <= least) return to;
+  const double3 way = both >= 1 ? times(1 / both, plus(before, after)) : after;
+  to.translate = plus(p, times(off, way));
+  return to;
+}
+
+}  // namespace
+
+void check_sizes(const ColliderRecord& c, const ColliderRecord& other, const char* view,
+                 uint32_t index) {
+  const SizeCheck check{view, index, std::max(c.coordinate, other.coordinate)};
+  const bool round = c.shape == ColliderShape::sphere || c.shape == ColliderShape::capsule ||
+                     c.shape == ColliderShape::cylinder;
+  if (round) check(other.size, c.size, "radius");
+  if (c.shape == ColliderShape::capsule || c.shape == ColliderShape::cylinder) {
+    check(length(extent(other)), length(extent(c)), "length");
+  }
+  if (c.shape != ColliderShape::box) return;
+  check(other.half.x, c.half.x, "half edge along x");
+  check(other.half.y, c.half.y, "half edge along y");
+  check(other.half.z, c.half.z, "half edge along z");
+}
+
+bool same_sizes(const ColliderRecord& c, const ColliderRecord& other) {
+  if (c.shape == ColliderShape::plane) return true;
+  return c.size == other.size && same(c.half, other.half) &&
+         length(extent(c)) == length(extent(other));
+}
+
+void take_sizes(ColliderRecord& c, const ColliderRecord& other) {
+  if (c.shape == ColliderShape::plane) return;
+  c.size = other.size;
+  c.half = other.half;
+  c.length = other.length;
+  if (c.shape == ColliderShape::capsule) {
+    const double now = length(c.axis), then = length(other.axis);
+    // Along what it lay along; one that was a ball has a direction from now on.
+    c.axis = now > 0 ? times(then / now, c.axis) : other.axis;
+    if (!(now > 0) && then > 0) c.side = other.side;
+  }
+  c.to_point = times(-0.5, extent(c));
+  c.point = plus(c.described.translate, c.to_point);
+  set_least_half_width(c);
+}
+
+Placed motion_to(const ColliderRecord& c, const Placed& from, const ColliderRecord& other) {
+  if (c.shape == ColliderShape::plane) return hinged(c, from, other);
+  Placed to = from;
+  if (c.shape == ColliderShape::capsule || c.shape == ColliderShape::cylinder) {
+    const double3 before = rotate(from.rows, extent(c)), after = extent(other);
+    const double long_before = length(before), long_after = length(after);
+    const double coordinate = std::max(c.coordinate, other.coordinate);
+    const bool turns = long_before > 0 && long_after > 0 &&
+                       !alike(times(long_after / long_before, before), after, coordinate);
+    if (turns) {
+      const Placed turn = turn_from_to(times(1 / long_before, before), times(1 / long_after, after),
+                                       rotate(from.rows, c.side));
+      to = turned_further(turn, from);
+    }
+  } else if (c.shape == ColliderShape::box && !edges_alike(c, from, other)) {
+    to = turn_of_edges(c.edges, other.edges);
+  }
+  to.translate = other.described.translate;
   return to;
 }
 
 ColliderPath path_of(const ColliderRecord& c, double time, double dt) {
-  ColliderPath path{c.placed, c.placed, c.velocity, false, false};
-  path.begin.translate = plus(c.placed.translate, times(time - c.since, c.velocity));
+  const double3 gone = times(time - c.since, c.velocity);
+  ColliderPath path{c.placed, c.placed, {0, 0, 0}, c.velocity, false, false};
+  path.begin.translate = plus(c.placed.translate, gone);
+  if (same_place(c.placed, c.described)) {  // nothing of the description is rounded
+    path.at = c.shape == ColliderShape::plane ? gone : plus(c.point, gone);
+  } else if (c.shape != ColliderShape::plane) {
+    path.at = plus(path.begin.translate, rotate(path.begin.rows, c.to_point));
+  }
   if (c.gliding) {
     path.end = c.target;
     path.velocity =
@@ -184,30 +295,31 @@ ColliderPath path_of(const ColliderRecord& c, double time, double dt) {
   return path;
 }
 
-namespace {
-
-struct Ball {
-  double3 center;  ///< as described
-  double radius;
-};
-/// A ball about the collider's origin as described would not be tight; this one is about its
-/// middle.
-Ball ball_around(const ColliderRecord& c) {
-  switch (c.shape) {
-    case ColliderShape::sphere:
-      return {c.point, c.size};
-    case ColliderShape::capsule:
-      return {plus(c.point, times(0.5, c.axis)), length(c.axis) / 2 + c.size};
-    case ColliderShape::cylinder:
-      return {plus(c.point, times(c.length / 2, c.axis)), c.length / 2 + c.size};
-    case ColliderShape::box:
-    case ColliderShape::mesh:
-      return {c.point, length(c.half)};
-    case ColliderShape::plane:
-      break;
-  }
-  return {{0, 0, 0}, std::numeric_limits<double>::infinity()};
+double offset_of(const ColliderRecord& c, const ColliderPath& path) {
+  const double3 normal = rotate(path.begin.rows, c.normal);
+  if (same_place(c.placed, c.described)) return c.size + inner(normal, path.at);
+  return inner(normal, path.begin.translate);
 }
+
+ColliderPath seen_from(const double3& place, const ColliderPath& path, const ColliderRecord& c,
+                       double dt) {
+  ColliderPath seen = path;
+  const double3 normal = rotate(path.begin.rows, c.normal);
+  const double3& known = path.begin.translate;
+  seen.begin.translate = plus(place, times(inner(normal, minus(known, place)), normal));
+  const double3 from = minus(seen.begin.translate, known);
+  // Back to the description, and out again.
+  const double3 rows[3] = {{path.begin.rows[0].x, path.begin.rows[1].x, path.begin.rows[2].x},
+                           {path.begin.rows[0].y, path.begin.rows[1].y, path.begin.rows[2].y},
+                           {path.begin.rows[0].z, path.begin.rows[1].z, path.begin.rows[2].z}};
+  seen.end.translate = plus(path.end.translate, rotate(path.end.rows, rotate(rows, from)));
+  if (dt > 0) {
+    seen.velocity = times(1 / dt, minus(seen.end.translate, seen.begin.translate));
+  }
+  return seen;
+}
+
+namespace {
 
 /// Half the edges of the box along the world's axes about a collider's middle.
 double3 half_of(const ColliderRecord& c, const Placed& placed) {
@@ -228,40 +340,85 @@ double3 half_of(const ColliderRecord& c, const Placed& placed) {
   return {part(axis.x, c.size), part(axis.y, c.size), part(axis.z, c.size)};
 }
 
-SweptBounds swept_bounds_of_plane(const ColliderRecord& c, const ColliderPath& path) {
+double3 larger_of(const double3& a, const double3& b) {
+  return {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)};
+}
+double3 smaller_of(const double3& a, const double3& b) {
+  return {std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)};
+}
+
+/// m: how far from the middle a collider has something that a turn takes along.
+double reach_of(const ColliderRecord& c) {
+  switch (c.shape) {
+    case ColliderShape::sphere:
+    case ColliderShape::plane:
+      return 0;
+    case ColliderShape::capsule:
+      return length(c.axis) / 2;
+    case ColliderShape::cylinder:
+      return std::sqrt(c.length * c.length / 4 + c.size * c.size);
+    case ColliderShape::box:
+    case ColliderShape::mesh:
+      break;
+  }
+  return length(c.half);
+}
+
+SweptBounds half_space() {
   const double endless = std::numeric_limits<double>::infinity();
   SweptBounds bounds;
   bounds.low = {-endless, -endless, -endless};
   bounds.high = {endless, endless, endless};
+  return bounds;
+}
+
+SweptBounds swept_bounds_of_plane(const ColliderRecord& c, const ColliderPath& path) {
+  SweptBounds bounds = half_space();
   if (path.turns) return bounds;
-  bounds.normal = rotate(path.begin.rows, c.point);
-  bounds.offset = c.size + std::max(inner(bounds.normal, path.begin.translate),
-                                    inner(bounds.normal, path.end.translate));
+  bounds.normal = rotate(path.begin.rows, c.normal);
+  const double on = inner(bounds.normal, minus(path.end.translate, path.begin.translate));
+  bounds.offset = offset_of(c, path) + std::max(0.0, on);
   return bounds;
 }
 
 }  // namespace
 
+/// A point goes along an arc, which leaves its chord by radius (1 - cos(angle / 2)) at most, while
+/// the middle goes straight. All shapes are symmetric about their middles.
 SweptBounds swept_bounds(const ColliderRecord& c, const ColliderPath& path) {
   if (c.shape == ColliderShape::plane) return swept_bounds_of_plane(c, path);
-  const Ball ball = ball_around(c);
-  double3 begin = to_world(path.begin, ball.center), end = to_world(path.end, ball.center);
+  const double3 &begin = path.begin.translate, &end = path.end.translate;
   double3 half = half_of(c, path.begin);
-  if (path.turns) {  // anywhere on the sphere about the pivot that the farthest point is on
-    const double far = length(ball.center) + ball.radius;
-    half = {far, far, far};
-    begin = path.begin.translate;
-    end = path.end.translate;
+  if (path.turns && c.shape != ColliderShape::sphere) {
+    const double rise = reach_of(c) * (1 - half_turn_cosine(path.begin, path.end));
+    half = plus(larger_of(half, half_of(c, path.end)), {rise, rise, rise});
   }
   SweptBounds bounds;
-  bounds.low =
-      minus({std::min(begin.x, end.x), std::min(begin.y, end.y), std::min(begin.z, end.z)}, half);
-  bounds.high =
-      plus({std::max(begin.x, end.x), std::max(begin.y, end.y), std::max(begin.z, end.z)}, half);
-  if (c.shape == ColliderShape::sphere && !path.turns) {
+  bounds.low = minus(smaller_of(begin, end), half);
+  bounds.high = plus(larger_of(begin, end), half);
+  if (c.shape == ColliderShape::sphere) {
     bounds.center = times(0.5, plus(begin, end));
     bounds.radius = c.size + 0.5 * length(minus(end, begin));
   }
+  return bounds;
+}
+
+/// With the unit normals n(t) and the pivot p + t by: n(0).(x - p) is at most n(t).(x - p) +
+/// |n(t) - n(0)| |x - p|, and what is below the plane has n(t).(x - p) < t n(t).by.
+SweptBounds swept_bounds_in(const double3& low, const double3& high, const ColliderRecord& c,
+                            const ColliderPath& path) {
+  SweptBounds bounds = half_space();
+  const double3& p = path.begin.translate;
+  const double3 by = minus(path.end.translate, p);
+  const double3 first = rotate(path.begin.rows, c.normal), last = rotate(path.end.rows, c.normal);
+  const double rise = 1 - half_turn_cosine(path.begin, path.end);
+  const double on = std::max({0.0, inner(first, by), inner(last, by)}) + rise * length(by);
+  const double3 a = minus(p, low), b = minus(high, p);
+  const double3 far{std::max(std::fabs(a.x), std::fabs(b.x)),
+                    std::max(std::fabs(a.y), std::fabs(b.y)),
+                    std::max(std::fabs(a.z), std::fabs(b.z))};
+  bounds.normal = first;
+  bounds.offset = inner(first, p) + on + length(minus(last, first)) * length(far);
   return bounds;
 }
 
@@ -275,6 +432,13 @@ bool overlaps(const double3& low, const double3& high, const SweptBounds& r) {
                         std::max(low.z, std::min(high.z, r.center.z))};
   return in_box && inner(r.normal, lowest) <= r.offset &&
          length(minus(nearest, r.center)) <= r.radius;
+}
+
+bool comes_into(const double3& low, const double3& high, const double3& origin,
+                const ColliderRecord& c, const ColliderPath& path, const SweptBounds& bounds,
+                double dt) {
+  if (c.shape != ColliderShape::plane || !path.turns) return overlaps(low, high, bounds);
+  return overlaps(low, high, swept_bounds_in(low, high, c, seen_from(origin, path, c, dt)));
 }
 
 }  // namespace weft::api

@@ -9,11 +9,12 @@ struct Quaternion {
   double w = 1, x = 0, y = 0, z = 0;
 };
 
-/// world = rows * described + translate
+/// world = rows * (a point of the shape, from its middle) + translate
 struct Placed {
   double3 rows[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   double3 translate{0, 0, 0};
-  Quaternion rotation;  ///< the same as `rows`
+  Quaternion rotation;   ///< the same as `rows`
+  bool endless = false;  ///< a plane's: it has no middle, so it goes on a screw
 };
 /// Throws InvalidInput; `of` names the pose in messages.
 Placed placed_by(const Pose&, const char* of);
@@ -26,14 +27,36 @@ Placed turn_of_edges(const double3* from, const double3* to);
 
 /// First `first`, then `then`.
 Placed after(const Placed& then, const Placed& first);
+/// The rotation of a place turned further, which stays one however often it is done.
+Placed turned_further(const Placed& turn, const Placed& from);
+
+/// As far beyond `to` as that is from `from`.
+Placed continued(const Placed& from, const Placed& to);
 
 double3 rotate(const double3* rows, const double3& v);
 double3 to_world(const Placed&, const double3& described);
 bool same_rotation(const Placed&, const Placed&);
 bool same_place(const Placed&, const Placed&);
 
-/// Rows of the rotation that has taken place since `begin` at a fraction of the way to `end`: by
-/// the shorter way about one axis, nearly uniform (the chord between the quaternions, normalised).
-void turn_between(const Placed& begin, const Placed& end, double fraction, double3* rows);
+/// Where a collider is at a fraction of its way, 0 to 1; both ends to the bit. The middle goes
+/// straight, the rotation the shorter way about one axis, both uniformly. What is endless has a
+/// screw motion, which no choice of a middle changes.
+Placed between(const Placed& from, const Placed& to, double fraction);
+/// How far the rotation goes: the cosine of half its angle, 0 (half a turn) to 1.
+double half_turn_cosine(const Placed& begin, const Placed& end);
+
+/// The rotation since `begin` after each of some equal parts of the way to `end`.
+class TurnInParts {
+ public:
+  TurnInParts(const Placed& begin, const Placed& end, int parts);
+  /// Rows of the next: the first call is for the end of the first part.
+  void next(double3* rows);
+
+ private:
+  // rows = along + cos across + sin beside, by Rodrigues' formula
+  double3 along_[3], across_[3], beside_[3], last_[3];
+  double part_cos_, part_sin_, cos_ = 1, sin_ = 0;
+  int left_;
+};
 
 }  // namespace weft::api

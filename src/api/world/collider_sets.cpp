@@ -11,25 +11,31 @@ namespace {
 
 /// A view of a set as records, in the order of the members; throws InvalidInput.
 struct Described {
+  struct Name {
+    const char* view;
+    uint32_t index;
+  };
   Vector<api::ColliderRecord> records;
-  Vector<Text> names;  ///< "capsules[3]"
+  Vector<Name> names;
 };
 
 template <class Desc>
 void describe(View<Desc> views, const char* name, Described& out) {
   scene::check_view(views, name);
   for (uint32_t i = 0; i < views.count; ++i) {
-    out.names.push_back(text("%s[%u]", name, i));
+    out.names.push_back({name, i});
     try {
       out.records.push_back(api::record_of(views[i]));
     } catch (const InvalidInput& problem) {
-      throw InvalidInput(text("%s: %s", out.names.back().c_str(), problem.what()));
+      throw InvalidInput(text("%s[%u]: %s", name, i, problem.what()));
     }
   }
 }
 
-Described described(const ColliderSetDesc& desc) {
+Described described(const ColliderSetDesc& desc, size_t expected = 0) {
   Described all;
+  all.records.reserve(expected);
+  all.names.reserve(expected);
   describe(desc.spheres, "spheres", all);
   describe(desc.planes, "planes", all);
   describe(desc.capsules, "capsules", all);
@@ -67,6 +73,13 @@ Result<ColliderSetId> World::create_collider_set(const ColliderSetDesc& desc) no
   return id;
 }
 
+void World::Impl::stretch(api::ColliderRecord& c, const api::ColliderRecord& other) {
+  if (same_sizes(c, other)) return;
+  wake_touched(c, 0);
+  take_sizes(c, other);
+  wake_touched(c, 0);
+}
+
 Status World::move_collider_set(ColliderSetId id, const ColliderSetDesc& desc, Move how) noexcept {
   const api::CallGuard guard(impl_);
   if (!guard) return guard.status();
@@ -74,12 +87,14 @@ Status World::move_collider_set(ColliderSetId id, const ColliderSetDesc& desc, M
   if (!set) return impl_->stale("collider set", id.index);
   return api::guarded(*impl_->context, [&] {
     scene::check_choice(int(how), 2, "how", "simulate, teleport");
-    const Described all = described(desc);
-    Vector<std::pair<api::ColliderRecord*, api::Placed>> moves;
+    const Described all = described(desc, set->members.size());
+    Vector<std::pair<api::ColliderRecord*, const api::ColliderRecord*>> moves;
     for (size_t i = 0; i < all.records.size() && i < set->members.size(); ++i) {
       api::ColliderRecord* member = impl_->find(set->members[i]);
       if (!member || member->shape != all.records[i].shape) break;
-      moves.emplace_back(member, api::motion_to(*member, all.records[i], all.names[i].c_str()));
+      const Described::Name& name = all.names[i];
+      if (!desc.may_stretch) check_sizes(*member, all.records[i], name.view, name.index);
+      moves.emplace_back(member, &all.records[i]);
     }
     if (moves.size() != all.records.size() || moves.size() != set->members.size()) {
       throw InvalidInput(
@@ -87,7 +102,11 @@ Status World::move_collider_set(ColliderSetId id, const ColliderSetDesc& desc, M
                "destroyed alone) give those it was created with, or create the set anew",
                set->members.size(), all.records.size()));
     }
-    for (const auto& [member, to] : moves) impl_->move(*member, to, how);
+    for (const auto& [member, other] : moves) {
+      if (desc.may_stretch) impl_->stretch(*member, *other);
+      const api::Placed from = path_of(*member, impl_->time, 0).begin;
+      impl_->move(*member, api::motion_to(*member, from, *other), how);
+    }
     return Status::ok;
   });
 }

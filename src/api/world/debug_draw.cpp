@@ -86,10 +86,10 @@ void draw_collider(const DebugDraw& draw, const api::ColliderRecord& c, double t
   const Pencil pencil(draw, placed, green);
   switch (c.shape) {
     case ColliderShape::sphere:
-      return pencil.ball(c.point, c.size);
+      return pencil.ball({0, 0, 0}, c.size);
     case ColliderShape::plane: {
       // A square of two metres round the point next to the origin, and its normal.
-      const double3 n = c.point, foot = api::times(c.size, n);
+      const double3 n = c.normal, foot{0, 0, 0};
       const double3 other = std::fabs(n.x) < 0.7 ? double3{1, 0, 0} : double3{0, 1, 0};
       double3 u = api::outer(n, other);
       u = api::times(1 / api::length(u), u);
@@ -98,24 +98,23 @@ void draw_collider(const DebugDraw& draw, const api::ColliderRecord& c, double t
       return pencil.line(foot, api::plus(foot, api::times(0.3, n)));
     }
     case ColliderShape::capsule: {
-      const double3 end = api::plus(c.point, c.axis);
-      pencil.ball(c.point, c.size);
+      const double3 foot = c.to_point, end = api::times(-1, foot);
+      pencil.ball(foot, c.size);
       pencil.ball(end, c.size);
       const double size = api::length(c.axis);
       if (size == 0) return;
       const double3 u = api::times(c.size, c.side);
-      return pencil.rod(c.point, end, u, api::outer(api::times(1 / size, c.axis), u));
+      return pencil.rod(foot, end, u, api::outer(api::times(1 / size, c.axis), u));
     }
     case ColliderShape::cylinder: {
       const double3 u = api::times(c.size, c.side);
-      return pencil.rod(c.point, api::plus(c.point, api::times(c.length, c.axis)), u,
-                        api::outer(c.axis, u));
+      return pencil.rod(c.to_point, api::times(-1, c.to_point), u, api::outer(c.axis, u));
     }
     case ColliderShape::box:
     case ColliderShape::mesh: {
       const double3 half[3] = {api::times(c.half.x, c.edges[0]), api::times(c.half.y, c.edges[1]),
                                api::times(c.half.z, c.edges[2])};
-      return pencil.box(c.point, half);
+      return pencil.box({0, 0, 0}, half);
     }
   }
 }

@@ -1,5 +1,6 @@
 // What acts on the cloths of a world and changes between steps: gravity, forces, wind, moving
 // colliders; and who sleeps through it.
+#include <algorithm>
 #include <cmath>
 
 #include "api/world/call_guard.h"
@@ -15,7 +16,8 @@ void World::Impl::wake_all() noexcept {
 }
 
 void World::Impl::wake_touched(const api::ColliderRecord& collider, double dt) {
-  const api::SweptBounds bounds = swept_bounds(collider, path_of(collider, time, dt));
+  const api::ColliderPath path = path_of(collider, time, dt);
+  const api::SweptBounds bounds = swept_bounds(collider, path);
   for (const ClothId id : order) {
     api::ClothRecord& cloth = *cloths[id.index];
     if (!cloth.asleep) continue;
@@ -24,7 +26,7 @@ void World::Impl::wake_touched(const api::ColliderRecord& collider, double dt) {
     const double3 by{hair, hair, hair};
     const double3 low = api::minus(api::plus(cloth.low, cloth.origin), by);
     const double3 high = api::plus(api::plus(cloth.high, cloth.origin), by);
-    if (api::overlaps(low, high, bounds)) api::wake(cloth);
+    if (api::comes_into(low, high, cloth.origin, collider, path, bounds, dt)) api::wake(cloth);
   }
 }
 
@@ -56,7 +58,13 @@ Status World::set_forces(ClothId id, View<VertexForce> forces) noexcept {
   return api::guarded(*impl_->context, [&] {
     std::pmr::vector<VertexForce> sorted(&impl_->context->memory);
     api::checked_forces(forces, cloth->cooked().vertices, sorted);
-    if (sorted.empty() && cloth->forces.empty()) return Status::ok;
+    const auto same_force = [](const VertexForce& a, const VertexForce& b) {
+      return a.vertex == b.vertex && api::same(a.force, b.force);
+    };
+    if (std::equal(sorted.begin(), sorted.end(), cloth->forces.begin(), cloth->forces.end(),
+                   same_force)) {
+      return Status::ok;
+    }
     impl_->dirty |= impl_->starting || sorted.empty() != cloth->forces.empty();
     cloth->forces = std::move(sorted);
     cloth->changed(Part::forces);
@@ -64,6 +72,11 @@ Status World::set_forces(ClothId id, View<VertexForce> forces) noexcept {
     api::wake(*cloth);
     return Status::ok;
   });
+}
+
+static bool same_wind(const WindDesc& a, const WindDesc& b) {
+  return api::same(a.velocity, b.velocity) && a.air_density == b.air_density &&
+         a.normal == b.normal && a.tangential == b.tangential;
 }
 
 Status World::set_wind(const WindDesc& wind) noexcept {
@@ -76,6 +89,7 @@ Status World::set_wind(const WindDesc& wind) noexcept {
     scene::check_not_negative(wind.tangential, "wind.tangential");
     // Without air, or without any hold on it, there is no effect.
     if (wind.air_density == 0 || (wind.normal == 0 && wind.tangential == 0)) return clear_wind();
+    if (impl_->wind && same_wind(*impl_->wind, wind)) return Status::ok;
     for (const ClothId id : impl_->order) {
       if (!impl_->wind) impl_->say_if_windless(*impl_->find(id));
     }
@@ -113,18 +127,26 @@ void World::Impl::say_if_windless(const api::ClothRecord& cloth) {
 
 void World::Impl::move(api::ColliderRecord& c, const api::Placed& to, Move how) {
   const api::Placed from = path_of(c, time, 0).begin;
+  const api::Placed set_out =
+      path_of(c, time + time_owed, 0).begin;  // at the end of the last frame
+  using State = api::Way<api::Placed>::State;
+  if (how == Move::simulate && api::same(c.velocity, {0, 0, 0})) {
+    const api::Placed& goal = c.way.state == State::none ? from : c.way.to;
+    if (api::same_place(goal, to)) return;
+  }
   if (how == Move::teleport && !api::same_place(from, to)) wake_touched(c, 0);
   c.placed = from;
   c.velocity = {0, 0, 0};
   c.since = time;
   if (how == Move::teleport) {
     c.placed = to;
+    c.went = false;
     c.gliding = false;
+    c.way.arrive();
     if (!api::same_place(from, to)) wake_touched(c, 0);
     return;
   }
-  c.target = to;
-  c.gliding = true;
+  c.way.give(set_out, to);
   if (!c.can_turn && !api::same_rotation(c.placed, to)) c.can_turn = dirty = true;
 }
 
@@ -135,8 +157,7 @@ Status World::move_collider(ColliderId id, const Pose& pose, Move how) noexcept 
   if (!c) return impl_->stale("collider", id.index);
   return api::guarded(*impl_->context, [&] {
     scene::check_choice(int(how), 2, "how", "simulate, teleport");
-    const api::Placed base = c->shape == ColliderShape::mesh ? c->described : api::Placed{};
-    impl_->move(*c, api::after(api::placed_by(pose, "pose"), base), how);
+    impl_->move(*c, api::after(api::placed_by(pose, "pose"), c->described), how);
     return Status::ok;
   });
 }

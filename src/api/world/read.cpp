@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "api/arena/image.h"
+#include "api/arena/tethers.h"
 #include "api/world/call_guard.h"
 #include "plan/device_arrays.h"
 #include "api/records/evaluation.h"
@@ -25,8 +26,9 @@ Status World::Impl::make_result(api::StateArray which) {
                                                                : Result::none;
   if (wanted == Result::none || wanted == result) return Status::ok;
   const double dt = dt_before > 0 ? dt_before : built_dt;
-  Status status = wanted == Result::normals ? arena->normals(*built, context->workers())
-                                            : arena->accelerations(*built, dt, context->workers());
+  Status status = wanted == Result::normals
+                      ? arena->normals(*built, context->workers())
+                      : arena->accelerations(*built, built_dt, dt, context->workers());
   if (status == Status::ok && wanted == Result::accelerations) {
     api::Overflow found;
     status = find_overflow(found);
@@ -123,7 +125,31 @@ Status World::read_accelerations(ClothId id, double3* out) noexcept {
                     [&](const api::ClothRecord&, uint32_t v, const double3& a) { out[v] = a; });
 }
 
-/// v = d/dt + a dt/2 with every force of the scheme: lagged drag acts on d/dt, central drag on v.
+Status World::Impl::probe(const api::ClothRecord& cloth, Vector<api::Probed>& out) {
+  out.clear();
+  bool holds = api::TethersPart::used(cloth);
+  for (const api::ColliderRecord& c : colliders) holds |= bool(c.id);
+  // Before the first step the displacement is that of the velocity that was given.
+  if (!holds || !cloth.moved || cloth.asleep) return Status::ok;
+  if (!probed) {
+    Vector<api::ColliderRecord> on(colliders.begin(), colliders.end());
+    for (api::ColliderRecord& c : on) {
+      c.gliding = c.went;
+      c.since = c.went ? time : c.since;
+      if (c.went) c.target = api::continued(c.was, c.placed);
+    }
+    api::ArenaInput in = *built;
+    in.colliders = &on;
+    const Status status =
+        arena->probe(in, {int(substeps_last), dt_before, dt_before, time, context->workers()});
+    if (status != Status::ok) return status;
+    probed = true;
+  }
+  return arena->read_probe(cloth, out);
+}
+
+/// v = (d_n + d_(n+1))/2dt. Where nothing but forces acts on a vertex that is d/dt + a dt/2 with
+/// every force of the scheme: lagged drag acts on d/dt, central drag on v.
 Status World::read_velocities(ClothId id, double3* out) noexcept {
   const api::CallGuard guard(impl_, id);
   if (!guard) return guard.status();
@@ -136,15 +162,29 @@ Status World::read_velocities(ClothId id, double3* out) noexcept {
       impl_, id, api::StateArray::acceleration,
       [&](const api::ClothRecord&, uint32_t, const double3& value) { a.push_back(value); });
   if (status != Status::ok) return status;
+  Vector<api::Probed> next;
+  const Status probing = api::guarded(*impl_->context, [&] {
+    const api::ClothRecord& cloth = *impl_->find(id);
+    return cloth.cooked().vertices > 0 ? impl_->probe(cloth, next) : Status::ok;
+  });
+  if (probing != Status::ok) return probing;
   return read_cloth(impl_, id, api::StateArray::displacement,
                     [&](const api::ClothRecord& cloth, uint32_t v, const double3& d) {
-                      const double dt = impl_->dt_before > 0 ? impl_->dt_before : impl_->built_dt;
+                      const double dt = cloth.moved ? impl_->dt_before : impl_->built_dt;
                       const double3 backward = api::times(1 / dt, d);
                       if (const api::PinRecord* pin = cloth.pin_of(v)) {
                         const bool moves = pin->motion >= 0;
                         out[v] = moves ? api::motion_velocity(cloth.motions[size_t(pin->motion)],
                                                               impl_->time)
                                        : backward;
+                        return;
+                      }
+                      if (cloth.asleep) {
+                        out[v] = {0, 0, 0};
+                        return;
+                      }
+                      if (!next.empty() && next[v].held) {
+                        out[v] = api::times(0.5 / dt, api::plus(d, next[v].displacement));
                         return;
                       }
                       const double half_g = 0.5 * cloth.drag * dt / cloth.cooked().mass_of(v);

@@ -28,12 +28,20 @@ struct ColliderSetRecord {
 struct Flight {
   bool active = false;  ///< between begin_step and end_step
   double dt = 0;        ///< s, of the whole step
+  double way = 1;       ///< how much of the frame's inputs is behind at its end
   uint32_t substeps = 0;
   Status outcome = Status::ok;
   double seconds = 0;            ///< how long the arena worked
   double cpu_seconds = 0;        ///< and its threads
   std::atomic<bool> done{true};  ///< set by the thread that made the step
   std::atomic<bool> left{true};  ///< the last that this thread touches
+};
+
+/// A step that is about to be made.
+struct Stride {
+  double dt = 0;  ///< s
+  uint32_t substeps = 0;
+  double dropped = 0;  ///< s that max_substeps takes off
 };
 
 /// A force beyond the range of fixed64.
@@ -72,19 +80,35 @@ struct __attribute__((visibility("hidden"))) World::Impl : HostObject {
   Status ensure_readable();
   /// Accelerations and normals are made when they are asked for, for all cloths at once.
   Status make_result(api::StateArray);
+  /// What a substep more would do where colliders or tethers may hold a vertex, else nothing.
+  Status probe(const api::ClothRecord&, Vector<api::Probed>& out);
   /// Triangles of meshes go to the device when their normals are first asked for.
   void want_normals();
   /// A step in three parts: what the world does before the arena works, the arena's work, which may
   /// be another thread's, and what the world does after it.
-  Status begin(double dt, uint32_t substeps);
+  /// `way`: how much of what was given for this frame is behind at the end of the step.
+  Status begin(const api::Stride&, double way);
   void fly() noexcept;
   Status land();
-  Status run(double dt, uint32_t substeps);
+  Status run(const api::Stride&, double way);
+  /// Substeps of a step of `dt`; throws InvalidInput.
+  Status stride_of(double dt, api::Stride&);
+  /// Targets of what is led, for the step to come.
+  void aim(double way);
+  /// What is led has taken its step; `way` as in aim.
+  void arrive(double way);
+  /// The frame is over: what was given for it and has not been reached waits for the next step.
+  void end_inputs();
+  void begin_events() noexcept;
+  /// World time of what write_outputs(alpha) draws, s.
+  double drawn_time(double alpha) const;
+  void drop_time(double seconds, const char* why);
   void start_flight();
   void wait_for_flight() noexcept;
   /// Tells all threads what has become of the world (told.h).
   void publish() const noexcept;
   void tell_who_sleeps(api::ClothRecord&);
+  Status tell_of_stretch();
   void start_bounds_of(api::ClothRecord&) const;
   void publish_bounds(api::ClothRecord&) const;
   Status report_not_finite();
@@ -97,8 +121,12 @@ struct __attribute__((visibility("hidden"))) World::Impl : HostObject {
   void wake_by_colliders(double dt);
   ColliderId add(api::ColliderRecord);
   void move(api::ColliderRecord&, const api::Placed& to, Move);
+  void stretch(api::ColliderRecord&, const api::ColliderRecord& other);
   void remove(api::ColliderRecord&);
   void wake_all() noexcept;
+  /// Leads pins to targets; free vertices are pinned first. `vertices` and `targets` are checked.
+  Status lead_pins(api::ClothRecord&, View<uint32_t> vertices, const PointView& targets);
+  Status pin_free(api::ClothRecord&, const std::pmr::vector<uint32_t>& vertices);
   /// Tells the log of a cloth that wind cannot move.
   void say_if_windless(const api::ClothRecord&);
 
@@ -126,6 +154,7 @@ struct __attribute__((visibility("hidden"))) World::Impl : HostObject {
   bool dirty = true;                     ///< the arena must be made anew
   /// What the arena's room for results holds of the present.
   enum class Result : uint8_t { none, accelerations, normals } result = Result::none;
+  bool probed = false;    ///< the arena knows what the next substep would do
   bool starting = false;  ///< some cloth on the device has not moved yet
   double built_dt = 0;    ///< step that the start displacements belong to
   uint32_t built_substeps = 0;

@@ -133,9 +133,9 @@ Status World::Impl::ensure_built(double dt, uint32_t substeps) {
   }
   dirty = true;
   result = Result::none;
+  probed = false;
   api::ArenaInput in = arena_input(substeps);
-  const double before = dt_before > 0 ? dt_before : dt;
-  const Status status = arena->build(in, before, time, context->workers());
+  const Status status = arena->build(in, dt, time, context->workers());
   if (status != Status::ok) return status;
   starting = false;
   for (api::ClothRecord* cloth : in.cloths) {
@@ -193,45 +193,59 @@ Text World::Impl::bound_text(const Stability& bound, double dt, uint32_t substep
       fewest_substeps(dt, bound.dt_bound));
 }
 
+Status World::Impl::stride_of(double dt, api::Stride& stride) {
+  if (!std::isfinite(dt) || dt < 0 || std::fpclassify(dt) == FP_SUBNORMAL) {
+    throw InvalidInput(
+        text("a step of %g s (time runs forward, in ordinary numbers) give a finite dt >= 0", dt));
+  }
+  const Stability bound = tightest();
+  stride = {dt, desc.substeps, 0};
+  if (desc.substeps == 0) {
+    const double limit = desc.safety * bound.dt_bound;
+    double n = fewest_substeps(dt, limit);
+    if (desc.max_substeps > 0 && n > desc.max_substeps) {
+      n = desc.max_substeps;
+      stride.dt = n * limit;
+      while (stride.dt / n > limit) stride.dt = std::nextafter(stride.dt, 0.0);
+      stride.dropped = dt - stride.dt;
+    }
+    if (!(n <= most_substeps)) {
+      throw InvalidInput(
+          text("a step of %g s takes %.3g substeps (at most 1e9) step less far at once, or set "
+               "max_substeps",
+               dt, n));
+    }
+    stride.substeps = static_cast<uint32_t>(n);
+  }
+  const double sub_dt = stride.dt / stride.substeps;
+  if (dt > 0 && sub_dt < shortest_substep) {
+    throw InvalidInput(
+        text("a substep of %g s (the shortest is 1e-15 s) step further at once", sub_dt));
+  }
+  if (sub_dt > bound.dt_bound && !desc.unsafe) {
+    return context->fail(Status::unstable_step, bound_text(bound, dt, stride.substeps));
+  }
+  return Status::ok;
+}
+
 Result<uint32_t> World::substeps(double dt) noexcept {
   const api::CallGuard guard(impl_);
   if (!guard) return guard.status();
-  uint32_t count = 0;
-  const Status status = api::guarded(*impl_->context, [&] {
-    if (!std::isfinite(dt) || dt < 0 || std::fpclassify(dt) == FP_SUBNORMAL) {
-      throw InvalidInput(
-          text("a step of %g s (time runs forward, in ordinary numbers) give a finite "
-               "dt >= 0",
-               dt));
-    }
-    const Stability bound = impl_->tightest();
-    double n = impl_->desc.substeps;
-    if (n == 0) n = fewest_substeps(dt, impl_->desc.safety * bound.dt_bound);
-    if (!(n <= most_substeps)) {
-      throw InvalidInput(
-          text("a step of %g s takes %.3g substeps (at most 1e9) step less far at once", dt, n));
-    }
-    count = static_cast<uint32_t>(n);
-    if (dt > 0 && dt / n < shortest_substep) {
-      throw InvalidInput(
-          text("a substep of %g s (the shortest is 1e-15 s) step further at once", dt / n));
-    }
-    if (dt / n > bound.dt_bound && !impl_->desc.unsafe) {
-      return impl_->context->fail(Status::unstable_step, impl_->bound_text(bound, dt, count));
-    }
-    return Status::ok;
-  });
+  api::Stride stride;
+  const Status status = api::guarded(*impl_->context, [&] { return impl_->stride_of(dt, stride); });
   if (status != Status::ok) return status;
-  return count;
+  return stride.substeps;
 }
 
 Status World::prepare(double dt) noexcept {
   const api::CallGuard guard(impl_);
   if (!guard) return guard.status();
-  Result<uint32_t> n = substeps(dt);
-  if (!n) return n.status();
-  if (dt == 0) return Status::ok;
-  return api::guarded(*impl_->context, [&] { return impl_->ensure_built(dt / *n, *n); });
+  return api::guarded(*impl_->context, [&] {
+    api::Stride stride;
+    const Status status = impl_->stride_of(dt, stride);
+    if (status != Status::ok || dt == 0) return status;
+    return impl_->ensure_built(stride.dt / stride.substeps, stride.substeps);
+  });
 }
 
 Status World::Impl::report_not_finite() {
@@ -255,19 +269,33 @@ Status World::Impl::report_not_finite() {
   return Status::diverged;
 }
 
-Status World::Impl::begin(double dt, uint32_t substeps) {
-  if (lost) {  // the events that say how stay
+void World::Impl::begin_events() noexcept {
+  if (!lost) events.clear();  // those that say how it was lost stay
+}
+
+void World::Impl::drop_time(double seconds, const char* why) {
+  time_dropped = std::min(time_dropped + seconds, std::numeric_limits<double>::max());
+  events.push_back({EventType::time_dropped, {}, 0, time, why});
+}
+
+Status World::Impl::begin(const api::Stride& stride, double way) {
+  if (lost) {
     return context->fail(Status::diverged,
                          "the world has diverged (it cannot go on) destroy it and begin anew");
   }
-  events.clear();
-  const Status status = ensure_built(dt / substeps, substeps);
+  const Status status = ensure_built(stride.dt / stride.substeps, stride.substeps);
   if (status != Status::ok) return status;
-  events.make_room(order.size() + 4);  // whoever sleeps or wakes, and what else may happen
-  wake_by_colliders(dt);
+  events.make_room(3 * order.size() + 4);  // whoever sleeps or wakes, and what else may happen
+  aim(way);
+  wake_by_colliders(stride.dt);
   result = Result::none;
-  flight.dt = dt;
-  flight.substeps = substeps;
+  probed = false;
+  if (stride.dropped > 0) {
+    drop_time(stride.dropped, "the step took max_substeps and was not as long as asked for");
+  }
+  flight.dt = stride.dt;
+  flight.substeps = stride.substeps;
+  flight.way = way;
   return Status::ok;
 }
 
@@ -296,6 +324,47 @@ void World::Impl::tell_who_sleeps(api::ClothRecord& cloth) {
                     cloth.asleep ? "the cloth has come to rest" : "the cloth moves again"});
 }
 
+Status World::Impl::tell_of_stretch() {
+  const Status status = arena->watch_stretch(*built);
+  if (status != Status::ok) return status;
+  const auto tell = [&](EventType type, ClothId cloth, uint32_t vertex, const Text& words) {
+    events.push_back({type, cloth, vertex, time, nullptr}, words);
+  };
+  for (api::ClothRecord* cloth : built->cloths) {
+    if (cloth->asleep) continue;
+    api::StretchWatch& watch = cloth->stretch;
+    const scene::Stretches now = watch.now;
+    const bool beyond = now.largest > api::large_stretch;
+    watch.beyond |= beyond;
+    if (beyond && !watch.told_stretch) {
+      watch.told_stretch = true;
+      tell(EventType::large_stretch, cloth->id, now.a,
+           text("the spring %u-%u of cloth %u is %.6g m long (its rest length is %.6g m, and more "
+                "than 10 times that beyond it is no cloth) start without overlaps, move pins and "
+                "colliders slower, or lower `safety`",
+                now.a, now.b, cloth->id.index, now.length, now.rest));
+    }
+    watch.now = {};
+    if (watch.next < scene::stretch_items(cloth->cooked())) continue;
+    watch.told_stretch = watch.beyond;
+    const double mean =
+        watch.rest_squares > 0 ? std::sqrt(watch.longer_squares / watch.rest_squares) : 0;
+    const bool much = mean > api::large_mean_stretch;
+    if (much && !watch.told_energy) {
+      tell(EventType::large_energy, cloth->id, 0,
+           text("the springs of cloth %u are stretched by %.3g times their rest length on average "
+                "(more than 2: it gains energy from nothing) lower `safety`, give it damping, or "
+                "start without overlaps",
+                cloth->id.index, mean));
+    }
+    watch.told_energy = much;
+    watch.next = 0;
+    watch.beyond = false;
+    watch.longer_squares = watch.rest_squares = 0;
+  }
+  return Status::ok;
+}
+
 Status World::Impl::land() {
   phases[api::phase_inputs_and_advance].seconds += flight.seconds;
   cpu_seconds += flight.cpu_seconds;
@@ -316,25 +385,16 @@ Status World::Impl::land() {
   }
   time = time_base + static_cast<double>(++frames_of_dt) * dt;
   dt_before = sub_dt;
+  arrive(flight.way);
   for (api::ClothRecord* cloth : built->cloths) {
     if (!cloth->moved) {
       cloth->moved = true;
       cloth->positions = std::pmr::vector<double3>(&context->memory);
       cloth->velocities = std::pmr::vector<double3>(&context->memory);
     }
-    for (api::PinRecord& pin : cloth->pins) {
-      if (pin.gliding) pin.base = pin.target;
-      pin.gliding = false;
-    }
     api::notice_rest(*cloth, dt, sub_dt);
     tell_who_sleeps(*cloth);
     publish_bounds(*cloth);
-  }
-  for (api::ColliderRecord& c : colliders) {
-    if (!c.id || !c.gliding) continue;
-    c.placed = c.target;
-    c.since = time;
-    c.gliding = false;
   }
   starting = false;
   ++frames;
@@ -348,13 +408,17 @@ Status World::Impl::land() {
   for (const api::ClothRecord* cloth : built->cloths) {
     if (cloth->broken) return report_not_finite();
   }
-  if (desc.accumulate == Accumulate::fixed64) return report_overflow();
-  return Status::ok;
+  if (desc.accumulate == Accumulate::fixed64) {
+    const Status status = report_overflow();
+    if (status != Status::ok) return status;
+  }
+  return tell_of_stretch();
 }
 
-Status World::Impl::run(double dt, uint32_t substeps) {
-  const Status status = begin(dt, substeps);
+Status World::Impl::run(const api::Stride& stride, double way) {
+  const Status status = begin(stride, way);
   if (status != Status::ok) return status;
+  Stopwatch watch(step_seconds);
   fly();
   return land();
 }
@@ -362,11 +426,13 @@ Status World::Impl::run(double dt, uint32_t substeps) {
 Status World::step(double dt) noexcept {
   const api::CallGuard guard(impl_);
   if (!guard) return guard.status();
-  Result<uint32_t> n = substeps(dt);
-  if (!n) return n.status();
-  if (dt == 0) return Status::ok;
-  Stopwatch watch(impl_->step_seconds);
-  return api::guarded(*impl_->context, [&] { return impl_->run(dt, *n); });
+  return api::guarded(*impl_->context, [&] {
+    impl_->begin_events();
+    api::Stride stride;
+    const Status status = impl_->stride_of(dt, stride);
+    if (status != Status::ok || dt == 0) return status;
+    return impl_->run(stride, 1);
+  });
 }
 
 }  // namespace v0

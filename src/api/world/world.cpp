@@ -45,6 +45,12 @@ void check_world(const WorldDesc& desc) {
     throw InvalidInput(
         "max_steps_per_advance is 0 (time would never pass) give the most steps of a frame");
   }
+  if (desc.max_substeps > 0 && desc.substeps > desc.max_substeps) {
+    throw InvalidInput(
+        text("substeps is %u (max_substeps, %u, is the most of a step) give at most that many, or "
+             "raise max_substeps",
+             desc.substeps, desc.max_substeps));
+  }
   if (!(desc.safety > 0) || desc.safety > 1) {
     throw InvalidInput(
         text("safety is %g (a step is safe at a fraction of the bound) give a value in "
@@ -259,34 +265,7 @@ Status World::move_pins(ClothId id, View<uint32_t> vertices, PointView targets) 
           text("targets has %u elements (vertices has %u) give one target per vertex",
                targets.count, vertices.count));
     }
-    Vector<double3> now;
-    if (vertices.count > 0) {
-      const Status status = impl_->ensure_readable();
-      if (status != Status::ok) return status;
-      if (const Status read = impl_->arena->read(*cloth, api::StateArray::position, now);
-          read != Status::ok) {
-        return read;
-      }
-    }
-    api::wake(*cloth);
-    cloth->pins.reserve(cloth->pins.size() + vertices.count);
-    for (uint32_t i = 0; i < vertices.count; ++i) {
-      const uint32_t v = vertices[i];
-      auto at = std::lower_bound(cloth->pins.begin(), cloth->pins.end(), v,
-                                 [](const api::PinRecord& p, uint32_t x) { return p.vertex < x; });
-      if (at == cloth->pins.end() || at->vertex != v) {
-        at = cloth->pins.insert(at, api::PinRecord{});
-        at->vertex = v;
-        cloth->repinned();
-      }
-      if (!at->can_move) impl_->dirty = true;
-      at->can_move = at->gliding = true;
-      at->motion = -1;
-      at->base = {cloth->origin.x + now[v].x, cloth->origin.y + now[v].y,
-                  cloth->origin.z + now[v].z};
-      at->target = targets[i];
-    }
-    return Status::ok;
+    return impl_->lead_pins(*cloth, vertices, targets);
   });
 }
 
@@ -319,11 +298,17 @@ Status World::release_pins(ClothId id, View<uint32_t> vertices) noexcept {
   if (!cloth) return impl_->stale("cloth", id.index);
   return api::guarded(*impl_->context, [&] {
     check_vertices(*cloth, vertices, true);
+    if (vertices.count == 0) return Status::ok;
+    std::pmr::vector<uint32_t> sorted(&impl_->context->memory);
+    sorted.reserve(vertices.count);
+    for (uint32_t i = 0; i < vertices.count; ++i) sorted.push_back(vertices[i]);
+    std::sort(sorted.begin(), sorted.end());
     api::wake(*cloth);
-    for (uint32_t i = 0; i < vertices.count; ++i) {
-      const auto* pin = cloth->pin_of(vertices[i]);
-      if (pin) cloth->pins.erase(cloth->pins.begin() + (pin - cloth->pins.data()));
-    }
+    const auto released = [&](const api::PinRecord& pin) {
+      return std::binary_search(sorted.begin(), sorted.end(), pin.vertex);
+    };
+    cloth->pins.erase(std::remove_if(cloth->pins.begin(), cloth->pins.end(), released),
+                      cloth->pins.end());
     cloth->repinned();
     impl_->dirty = true;
     return Status::ok;

@@ -120,8 +120,9 @@ class [[nodiscard]] Result {
   Status status_;
 };
 
-/// Names an object by slot and generation: an id of a destroyed object never names its successor.
-/// Trivially copyable; a value-initialised id is null.
+/// Names an object by slot and generation. A process gives an id once, in whatever world, to
+/// whatever kind of object: that of a destroyed object, or of another world, names nothing. Trivially
+/// copyable; a value-initialised id is null.
 template <class Tag>
 struct Id {
   uint32_t index = 0;
@@ -139,8 +140,10 @@ using OutputId = Id<struct output_tag>;
 
 enum class Severity : uint8_t { info, warning, error };
 
-/// Memory of a context. Both functions or neither; null means the C++ heap. Called from the thread
-/// that calls weft. `allocate` returns memory aligned to `alignment` (a power of two) or null.
+/// Memory of a context. Both functions or neither; null means the C++ heap. All host memory of weft
+/// passes through it, but for what others take: the thread of begin_step, OpenMP, a GPU's runtime,
+/// exceptions of the C++ library. Called from the thread that calls weft. `allocate` returns memory
+/// aligned to `alignment` (a power of two) or null, and the call then answers out_of_memory.
 struct Allocator {
   void* user = nullptr;
   void* (*allocate)(void* user, size_t bytes, size_t alignment) = nullptr;
@@ -148,7 +151,9 @@ struct Allocator {
 };
 
 /// Receives every message of a context, on the thread that made the call; null means none.
-/// Error texts read `<problem> (<why it is a problem>) <what to do>`.
+/// Error texts read `<call>, cloth <index>: <problem> (<why it is a problem>) <what to do>`, the
+/// cloth where the call is about one, and have at most 511 characters. A text is told eight times,
+/// and then whenever its count has doubled, with the count.
 struct Log {
   void* user = nullptr;
   void (*message)(void* user, Severity, const char* text) = nullptr;

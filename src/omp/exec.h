@@ -22,9 +22,9 @@
 namespace weft {
 namespace WEFT_BACKEND_NS {
 
-/// Meeting point of the threads of one region. Spins briefly, since substeps are short, then sleeps:
-/// on a busy machine who spins takes the time of the thread that it waits for. Who has slept once
-/// spins less the next time.
+/// Meeting point of the threads of one region. Spins briefly, since substeps are short, then
+/// sleeps: on a busy machine who spins takes the time of the thread that it waits for. Who has
+/// slept once spins less the next time.
 class Barrier {
  public:
   void wait(int threads) {

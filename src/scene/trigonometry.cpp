@@ -46,7 +46,8 @@ __extension__ typedef unsigned __int128 Wide;
 /// Of an angle of more than 2^20 quarters, which is m 2^e with an integer m: of m 2^e 2/pi, what is
 /// below 4 quarters, from as many bits of 2/pi as that takes.
 SineCosine of_many_turns(double radians) {
-  static constexpr uint64_t two_over_pi[20] = {  // 2^-64, 2^-128, ...
+  static constexpr uint64_t two_over_pi[20] = {
+      // 2^-64, 2^-128, ...
       0xa2f9836e4e441529ull, 0xfc2757d1f534ddc0ull, 0xdb6295993c439041ull, 0xfe5163abdebbc561ull,
       0xb7246e3a424dd2e0ull, 0x06492eea09d1921cull, 0xfe1deb1cb129a73eull, 0xe88235f52ebb4484ull,
       0xe99c7026b45f7e41ull, 0x3991d639835339f4ull, 0x9c845f8bbdf9283bull, 0x1ff897ffde05980full,

@@ -1,6 +1,7 @@
 // Every allocation of a game's life fails once, alone or with all that follow: the call says
 // out_of_memory, changes nothing, succeeds when there is memory again, and no bit of what comes
-// later differs. All memory passes through the caller's allocator; this program counts operator new.
+// later differs. All memory passes through the caller's allocator; this program counts operator
+// new.
 #include <atomic>
 #include <cstdlib>
 #include <functional>
@@ -238,8 +239,14 @@ Life live(long fails_at, bool persistent, weft::Precision precision) {
       return world.debug_draw(draw);
     });
     // What is wrong is told without memory, too.
-    caller.call("a stale id", [&] { return world.destroy_cloth({3, 3}); }, Status::invalid_handle);
-    caller.call("step(-1)", [&] { return world.step(-1); }, Status::invalid_argument);
+    caller.call(
+        "a stale id",
+        [&] {
+          return world.destroy_cloth({3, 3});
+        },
+        Status::invalid_handle);
+    caller.call(
+        "step(-1)", [&] { return world.step(-1); }, Status::invalid_argument);
     caller.call("destroy_cloth", [&] { return world.destroy_cloth(cloths[1]); });
     cloths.erase(cloths.begin() + 1);
     caller.call("destroy_collider_set", [&] { return world.destroy_collider_set(body); });
@@ -309,7 +316,8 @@ TEST(OutOfMemory, ClothsCanBeDestroyedWithoutMemory) {
   TestWorld test({}, desc), alone;
   weft::ClothDesc above;
   above.pose.translate = {0, 5, 0};
-  const weft::ClothId first = test.add(weft::GridDesc(), {}), second = test.add(weft::GridDesc(), above);
+  const weft::ClothId first = test.add(weft::GridDesc(), {}),
+                      second = test.add(weft::GridDesc(), above);
   alone.add(weft::GridDesc(), above);
   test.step(1.0 / 60);
   alone.step(1.0 / 60);

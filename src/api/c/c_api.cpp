@@ -162,7 +162,9 @@ weft_context_info weft_context_describe(const weft_context* c) {
   const ContextInfo info = c->context.info();
   return {info.backend, info.device, info.isa, info.threads, info.fallback};
 }
-uint64_t weft_context_bytes(const weft_context* c) { return c ? c->context.bytes_allocated() + c->bytes : 0; }
+uint64_t weft_context_bytes(const weft_context* c) {
+  return c ? c->context.bytes_allocated() + c->bytes : 0;
+}
 
 template <class Desc, class Holder>
 static weft_status cook(weft_context* c, const Desc* desc, Holder** out) {

@@ -263,9 +263,9 @@ weft_event weft_event_at(const weft_world* w, uint32_t index) {
 weft_stats weft_world_stats(const weft_world* w) {
   if (!w) return {};
   const Stats s = w->world.stats();
-  return {s.particles,     s.springs,     s.frames,     s.steps,        s.substeps_last,
-          s.substeps_most, s.dt_last,     s.dt_least,   s.step_seconds, s.cpu_seconds, s.time_dropped,
-          s.threads,       s.bytes_state, s.bytes_total};
+  return {s.particles,     s.springs, s.frames,      s.steps,        s.substeps_last,
+          s.substeps_most, s.dt_last, s.dt_least,    s.step_seconds, s.cpu_seconds,
+          s.time_dropped,  s.threads, s.bytes_state, s.bytes_total};
 }
 double weft_time(const weft_world* w) { return w ? w->world.time() : 0; }
 

@@ -40,7 +40,11 @@ class AskScope {
 
 struct ContextState {
   explicit ContextState(const ContextDesc& desc)
-      : memory(desc.allocator), log(desc.log), jobs(desc.jobs), profiler(desc.profiler) {}
+      : uncounted(desc.allocator),
+        memory(desc.allocator),
+        log(desc.log),
+        jobs(desc.jobs),
+        profiler(desc.profiler) {}
 
   Workers workers() const noexcept {
     return {static_cast<int>(threads), jobs.parallel_for ? &jobs : nullptr};
@@ -66,6 +70,7 @@ struct ContextState {
     return status;
   }
 
+  UncountedMemory uncounted;  ///< for Context::Impl, which does not count
   ContextMemory memory;
   Log log;
   Jobs jobs;
@@ -116,7 +121,7 @@ Status guarded(ContextState& context, const Body& body) noexcept {
 }  // namespace api
 
 inline namespace v0 {
-struct Context::Impl {
+struct Context::Impl : HostObject {
   explicit Impl(std::shared_ptr<api::ContextState> made) : state(std::move(made)) {}
 
   std::shared_ptr<api::ContextState> state;

@@ -39,13 +39,26 @@ struct UncountedAllocator {
   Allocator of;
 };
 
+class UncountedMemory final : public std::pmr::memory_resource {
+ public:
+  explicit UncountedMemory(const Allocator& user) : memory_(user) {}
+
+ private:
+  void* do_allocate(size_t bytes, size_t) override { return memory_.allocate(bytes); }
+  void do_deallocate(void* at, size_t bytes, size_t) override {
+    memory_.deallocate(static_cast<char*>(at), bytes);
+  }
+  bool do_is_equal(const memory_resource& other) const noexcept override { return this == &other; }
+
+  UncountedAllocator<char> memory_;
+};
+
 class ContextMemory final : public std::pmr::memory_resource {
  public:
   explicit ContextMemory(const Allocator& user) : user_(user) {}
 
   /// For back ends; counts what passes.
   Allocator hooks() noexcept { return {this, allocate_hook, deallocate_hook}; }
-  const Allocator& user() const noexcept { return user_; }
   /// Device memory that does not pass through the hooks.
   void count(std::ptrdiff_t bytes) noexcept { held_ += bytes; }
   uint64_t held() const noexcept { return static_cast<uint64_t>(held_.load()); }

@@ -16,9 +16,8 @@ Context& Context::operator=(Context&& other) noexcept {
 }
 Context::~Context() {
   if (!impl_) return;
-  api::UncountedAllocator<Impl> memory(impl_->state->memory.user());
-  impl_->~Impl();
-  memory.deallocate(impl_, 1);
+  const std::shared_ptr<ContextState> keep = impl_->state;  // its memory
+  delete impl_;
 }
 
 Result<Context> Context::create(const ContextDesc& desc, uint32_t abi) noexcept {
@@ -79,7 +78,8 @@ Result<Context> Context::create(const ContextDesc& desc, uint32_t abi) noexcept 
                      : desc.threads > 0     ? desc.threads
                                             : std::max(1u, std::thread::hardware_concurrency());
     if (!choice.fallback.empty()) state->say(Severity::info, choice.fallback);
-    return Context(new (api::UncountedAllocator<Impl>(desc.allocator).allocate(1)) Impl(state));
+    const MemoryScope of_context(&state->uncounted);
+    return Context(new Impl(state));
   } catch (const InvalidInput& problem) {
     return refuse(Status::invalid_argument, problem.what());
   } catch (const std::bad_alloc&) {

@@ -31,6 +31,22 @@ void look_at_springs(ClothRecord& cloth, uint64_t count, Position position) {
   watch.next = end;
 }
 
+/// Device memory for as long as a call lasts; null: there was none.
+struct Scratch {
+  Scratch(const Backend& device, const Allocator& hooks, size_t size)
+      : backend(device), host(hooks), bytes(size), memory(device.allocate(host, bytes)) {}
+  ~Scratch() {
+    if (memory) backend.release(host, memory, bytes);
+  }
+  Scratch(const Scratch&) = delete;
+  Scratch& operator=(const Scratch&) = delete;
+
+  const Backend& backend;
+  Allocator host;
+  size_t bytes;
+  void* memory;
+};
+
 template <class T>
 class ArenaOf final : public Arena, public HostObject {
  public:
@@ -124,14 +140,14 @@ class ArenaOf final : public Arena, public HostObject {
       return cutter.bytes();
     };
     const size_t bytes = cut(nullptr);
-    void* memory = backend_.allocate(context_.memory.hooks(), bytes);
-    if (!memory) {
+    const Scratch scratch(backend_, context_.memory.hooks(), bytes);
+    if (!scratch.memory) {
       return context_.fail(
           Status::out_of_memory,
           text("no %zu bytes of device memory (velocities need them) make the scene smaller",
                bytes));
     }
-    cut(static_cast<char*>(memory));
+    cut(static_cast<char*>(scratch.memory));
     Status status = colliders_.upload(in, input, device_);
     if (status == Status::ok) status = pins_.upload(in, input, device_.sim.pins);
     Frame<T> frame = make_frame(in, input);
@@ -143,7 +159,6 @@ class ArenaOf final : public Arena, public HostObject {
     frame.by_block = colliders_.by_block();
     if (status == Status::ok) status = backend_.probe(frame, x, d);
     if (status == Status::ok) status = fetch(moved, 0, size_t(elements), probed_);
-    backend_.release(context_.memory.hooks(), memory, bytes);
     return status;
   }
 

@@ -43,6 +43,7 @@ struct GridShape {
 struct MeshShape {
   std::shared_ptr<const Mesh> mesh;  ///< shared by all that name the same file
   bool bend = false;
+  double weld_distance = 0;
 };
 struct NetworkShape {
   std::vector<double3> positions;
@@ -71,6 +72,7 @@ struct MeshColliderScene {
   std::shared_ptr<const Mesh> mesh;  ///< shared by all that name the same file
   double scale = 1, thickness = 0.005;
   bool closed = false;
+  double weld_distance = 0;
   Pose pose;
   double3 velocity{0, 0, 0};
   double friction = 0;

@@ -172,17 +172,18 @@ typedef struct weft_grid_desc {
   uint8_t stencil;
   weft_material material;
 } weft_grid_desc;
+typedef struct weft_spring {
+  uint32_t a, b;
+  double stiffness, rest_length; /* below 0: the material's */
+} weft_spring;
 typedef struct weft_mesh_desc {
   weft_points positions;
   weft_view indices; /* uint32_t */
   bool bend;
   weft_material material;
   double weld_distance;
+  weft_view springs; /* weft_spring, beside the edges */
 } weft_mesh_desc;
-typedef struct weft_spring {
-  uint32_t a, b;
-  double stiffness, rest_length; /* below 0: the material's */
-} weft_spring;
 typedef struct weft_network_desc {
   weft_points positions;
   weft_view springs; /* weft_spring */
@@ -193,6 +194,7 @@ typedef struct weft_collider_mesh_desc {
   weft_view indices; /* uint32_t */
   double scale, thickness;
   bool closed;
+  double weld_distance;
 } weft_collider_mesh_desc;
 
 typedef struct weft_world_desc {

@@ -130,12 +130,13 @@ struct CollideStage {
         T(8) * (rounding_of(region.low) + rounding_of(region.high) + rounding_of(center) +
                 rounding_of(now.pivot) + rounding_of(Vec3<T>{reach, size, T(0)}));
     const T turn = square_root(turn2_between(before, now)) * reach;
-    Shape around = grown(at_present(now, shape), rounding);
+    // In the position form a particle is looked at where it was before, too.
+    const T margin = step.position_form ? rounding + T(2) * turn : rounding;
+    Shape around = grown(at_present(now, shape), margin);
     around.surface.sweep = larger(T(0), shape.surface.sweep - (turn + rounding));
     const Shifted<T> none{{T(0), T(0), T(0)}}, ago{before.by - now.by};
-    const Concern<Shape, Shifted<T>, T> concern{p.x_in, p.x_out, around, ago, none};
-    const int count = region.count;
-    return lanes.any([&](int l) WEFT_LANE { return (l < count) & concern(i0 + l); });
+    return step.position_form ? touches<true>(around, ago, none, region.count, i0, lanes)
+                              : touches<false>(around, ago, none, region.count, i0, lanes);
   }
 
   /// Each returns whether it has changed anything, or may have. `count`: as in Region.
@@ -153,15 +154,15 @@ struct CollideStage {
   template <class Shape, class Placement, int N>
   WEFT_HD bool meet_placed(const Shape& shape, const Placement& before, const Placement& now,
                            int count, int i0, Lanes<N> lanes) const {
-    const bool touched = step.position_form ? concerns<true>(shape, before, now, count, i0, lanes)
-                                            : concerns<false>(shape, before, now, count, i0, lanes);
+    const bool touched = step.position_form ? touches<true>(shape, before, now, count, i0, lanes)
+                                            : touches<false>(shape, before, now, count, i0, lanes);
     if (touched) respond(shape, before, now, i0, lanes);
     return touched;
   }
 
   template <bool Position, class Shape, class Placement, int N>
-  WEFT_HD bool concerns(const Shape& shape, const Placement& before, const Placement& now,
-                        int count, int i0, Lanes<N> lanes) const {
+  WEFT_HD bool touches(const Shape& shape, const Placement& before, const Placement& now, int count,
+                       int i0, Lanes<N> lanes) const {
     const Concern<T, Position, Shape, Placement> concern{p, shape, before, now};
     return lanes.any([&](int l) WEFT_LANE { return (l < count) & concern(i0 + l); });
   }

@@ -54,6 +54,24 @@ void check_view(const void* data, uint64_t count, uint32_t stride, size_t elemen
   }
 }
 
+void check_spring(const Spring& s, uint32_t index, uint32_t vertices, const char* kind) {
+  for (const uint32_t v : {s.a, s.b}) {
+    if (v >= vertices) {
+      throw InvalidInput(text("spring %u names vertex %u (the %s has %u) give an index below that",
+                              index, v, kind, vertices));
+    }
+  }
+  if (s.a == s.b) {
+    throw InvalidInput(
+        text("spring %u joins vertex %u to itself (a spring has two ends) remove it", index, s.a));
+  }
+  if (s.stiffness != -1)
+    check_not_negative(s.stiffness, text("springs[%u].stiffness", index).c_str());
+  if (s.rest_length != -1) {
+    check_not_negative(s.rest_length, text("springs[%u].rest_length", index).c_str());
+  }
+}
+
 void check_material(const Material& m, uint32_t vertices) {
   check_not_negative(m.stiffness.stretch, "stiffness.stretch");
   check_not_negative(m.stiffness.shear, "stiffness.shear");

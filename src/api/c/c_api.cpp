@@ -53,14 +53,20 @@ weft_grid_desc weft_default_grid(void) {
       d.rows, d.columns, d.width, d.height, static_cast<uint8_t>(d.stencil), api::to_c(d.material)};
 }
 weft_mesh_desc weft_default_mesh(void) {
-  return {{nullptr, 0, sizeof(float3), false}, {nullptr, 0, 4}, false, api::to_c(Material{}), 0};
+  return {{nullptr, 0, sizeof(float3), false}, {nullptr, 0, 4}, false, api::to_c(Material{}), 0,
+          {nullptr, 0, sizeof(Spring)}};
 }
 weft_network_desc weft_default_network(void) {
   return {{nullptr, 0, sizeof(float3), false}, {nullptr, 0, sizeof(Spring)}, api::to_c(Material{})};
 }
 weft_collider_mesh_desc weft_default_collider_mesh(void) {
   const ColliderMeshDesc d;
-  return {{nullptr, 0, sizeof(float3), false}, {nullptr, 0, 4}, d.scale, d.thickness, d.closed};
+  return {{nullptr, 0, sizeof(float3), false},
+          {nullptr, 0, 4},
+          d.scale,
+          d.thickness,
+          d.closed,
+          d.weld_distance};
 }
 weft_world_desc weft_default_world(void) {
   const WorldDesc d;

@@ -34,8 +34,8 @@ struct double3 {
 };
 
 /// Non-owning strided view of `count` elements, `stride` bytes apart. The elements must be aligned
-/// for T. A view may point straight into an engine's interleaved buffer. It holds fewer than 2^32 - 1
-/// elements; one of more has that count, and every call refuses it.
+/// for T. A view may point straight into an engine's interleaved buffer. It holds fewer than 2^32 -
+/// 1 elements; one of more has that count, and every call refuses it.
 template <class T>
 struct View {
   const void* data = nullptr;
@@ -121,8 +121,8 @@ class [[nodiscard]] Result {
 };
 
 /// Names an object by slot and generation. A process gives an id once, in whatever world, to
-/// whatever kind of object: that of a destroyed object, or of another world, names nothing. Trivially
-/// copyable; a value-initialised id is null.
+/// whatever kind of object: that of a destroyed object, or of another world, names nothing.
+/// Trivially copyable; a value-initialised id is null.
 template <class Tag>
 struct Id {
   uint32_t index = 0;

@@ -81,8 +81,8 @@ typedef struct weft_double3 {
   double x, y, z;
 } weft_double3;
 
-/* `count` elements, `stride` bytes apart; count 0: nothing. Of what, the field says. WEFT_VIEW makes
- * one of an array, weft_float_points and weft_double_points one of points. */
+/* `count` elements, `stride` bytes apart; count 0: nothing. Of what, the field says. WEFT_VIEW
+ * makes one of an array, weft_float_points and weft_double_points one of points. */
 typedef struct weft_view {
   const void* data;
   uint32_t count, stride;

@@ -7,7 +7,7 @@
 #include <exception>
 #include <string>
 
-#include "base/host_memory.h"
+#include "base/memory_host.h"
 
 namespace weft {
 

@@ -78,10 +78,10 @@ void add_hub_pass(const WorldShape& world, Plan& plan) {
     if (c.kind == KernelKind::mesh_per_spring) bytes += of_cloth * scalar;
     flops += of_cloth * (scatters(c.kind) ? sum_flops : spring_flops);
   }
-  plan.passes.push_back({"hubs", "substep",
-                         String("hub_chunks") +
-                             (world.precision == Precision::float64 ? "_float64" : "_float32"),
-                         static_cast<uint64_t>(springs), bytes / springs, flops / springs});
+  plan.passes.push_back(
+      {"hubs", "substep",
+       String("hub_chunks") + (world.precision == Precision::float64 ? "_float64" : "_float32"),
+       static_cast<uint64_t>(springs), bytes / springs, flops / springs});
 }
 
 /// What comes before the advance passes where cloths scatter or have vertices of very many springs.
@@ -98,9 +98,8 @@ void add_spring_passes(const WorldShape& world, Plan& plan) {
     s.edges += of.edges;
     s.in_hubs += of.in_hubs;
   }
-  const String suffix =
-      String(world.precision == Precision::float64 ? "_float64" : "_float32") + " " +
-      name_of(world.accumulation);
+  const String suffix = String(world.precision == Precision::float64 ? "_float64" : "_float32") +
+                        " " + name_of(world.accumulation);
   if (s.edges > 0) {
     const bool damped = s.damped_springs > 0;
     const double springs = std::max(1.0, static_cast<double>(s.springs) / 2);

@@ -1,7 +1,7 @@
 // The device memory of a world: what kernels see, and what the host keeps beside it.
 #pragma once
 
-#include "base/host_memory.h"
+#include "base/memory_host.h"
 #include "plan/cutter.h"
 #include "plan/shape.h"
 

@@ -2,7 +2,7 @@
 #pragma once
 
 
-#include "base/host_memory.h"
+#include "base/memory_host.h"
 #include "plan/shape.h"
 
 namespace weft::plan {

@@ -1,7 +1,7 @@
 // What a world's cloths need, in numbers: all that a plan depends on.
 #pragma once
 
-#include "base/host_memory.h"
+#include "base/memory_host.h"
 #include "state/simulation.h"
 #include "weft/core.hpp"
 

@@ -1,7 +1,7 @@
 // What cooking makes of a triangle mesh that particles collide with. Host data in double.
 #pragma once
 
-#include "base/host_memory.h"
+#include "base/memory_host.h"
 #include "scene/fabric.h"
 
 namespace weft::scene {

@@ -1,7 +1,7 @@
 // The parts of cook_collider_mesh.
 #pragma once
 
-#include "base/host_memory.h"
+#include "base/memory_host.h"
 #include "base/vec3.h"
 #include "scene/collider_mesh.h"
 

@@ -2,7 +2,7 @@
 // (state/edges.h).
 #pragma once
 
-#include "base/host_memory.h"
+#include "base/memory_host.h"
 #include "scene/fabric.h"
 
 namespace weft::scene {

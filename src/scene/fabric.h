@@ -5,7 +5,7 @@
 #include <memory_resource>
 #include <string>
 
-#include "base/host_memory.h"
+#include "base/memory_host.h"
 #include "base/portability.h"
 #include "weft/fabric.hpp"
 

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "base/host_memory.h"
+#include "base/memory_host.h"
 
 namespace weft::scene {
 

@@ -1,7 +1,7 @@
 // Triangles around the vertices of a mesh, as sliced rows in storage order (state/triangles.h).
 #pragma once
 
-#include "base/host_memory.h"
+#include "base/memory_host.h"
 #include "scene/fabric.h"
 
 namespace weft::scene {

@@ -6,7 +6,7 @@
 #include <unordered_map>
 #include <utility>
 
-#include "base/host_memory.h"
+#include "base/memory_host.h"
 #include "weft/core.hpp"
 
 namespace weft::scene {

@@ -1,7 +1,7 @@
 // From a list of springs to sorted rows, and their storage order.
 #pragma once
 
-#include "base/host_memory.h"
+#include "base/memory_host.h"
 #include "scene/fabric.h"
 
 namespace weft::scene {

@@ -1,7 +1,7 @@
 // Vertices of a render mesh that are one particle: seams of texture coordinates and of normals.
 #pragma once
 
-#include "base/host_memory.h"
+#include "base/memory_host.h"
 #include "scene/fabric.h"
 
 namespace weft::scene {

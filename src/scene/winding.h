@@ -1,7 +1,7 @@
 // How often the pieces of a closed surface go round a point.
 #pragma once
 
-#include "base/host_memory.h"
+#include "base/memory_host.h"
 
 #include "scene/collider_mesh_parts.h"
 

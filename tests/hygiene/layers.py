@@ -45,7 +45,8 @@ GATES = {"src/kernels/measured": "src/step/measured.h"}
 # Headers without functions that a linker could take from the AVX-512 copy for everybody.
 ISA_SAFE_HEADERS = set("""
 cassert cfloat climits cmath cstddef cstdint cstring limits new type_traits
-immintrin.h omp.h sched.h stddef.h stdint.h stdlib.h string.h
+immintrin.h linux/futex.h omp.h sched.h stddef.h stdint.h stdlib.h string.h sys/syscall.h time.h
+unistd.h
 """.split())
 ISA_ROOTS = ["src/omp/backend.cpp", "src/omp/exec.h", "src/omp/memory.h"]
 ISA_FOLDERS = ["src/base", "src/state", "src/kernels", "src/kernels/measured", "src/step"]

@@ -7,7 +7,7 @@
 #include "api/records/cloth.h"
 #include "api/records/collider.h"
 #include "api/context/context_state.h"
-#include "base/host_memory.h"
+#include "base/memory_host.h"
 #include "plan/plan.h"
 #include "step/backend.h"
 

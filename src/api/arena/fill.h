@@ -2,7 +2,7 @@
 #pragma once
 
 #include "api/arena/arena.h"
-#include "base/host_memory.h"
+#include "base/memory_host.h"
 #include "plan/device_arrays.h"
 
 namespace weft::api {

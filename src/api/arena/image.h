@@ -2,7 +2,7 @@
 #pragma once
 
 #include "api/records/cloth.h"
-#include "base/host_memory.h"
+#include "base/memory_host.h"
 #include "base/view.h"
 
 namespace weft::api {

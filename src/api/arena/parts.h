@@ -17,7 +17,7 @@
 
 #include "api/arena/forces.h"
 #include "api/arena/tethers.h"
-#include "base/host_memory.h"
+#include "base/memory_host.h"
 #include "plan/cutter.h"
 #include "plan/shape.h"
 

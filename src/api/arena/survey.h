@@ -2,7 +2,7 @@
 #pragma once
 
 #include "api/arena/arena.h"
-#include "base/host_memory.h"
+#include "base/memory_host.h"
 
 namespace weft::api {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "api/arena/image.h"
-#include "base/host_memory.h"
+#include "base/memory_host.h"
 #include "scene/nearest_pins.h"
 
 namespace weft::api {

@@ -9,7 +9,7 @@
 #include "api/context/memory.h"
 #include "api/context/registry.h"
 #include "api/context/teller.h"
-#include "base/host_memory.h"
+#include "base/memory_host.h"
 #include "base/message_host.h"
 #include "scene/collider_mesh.h"
 #include "scene/fabric.h"

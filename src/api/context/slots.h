@@ -5,7 +5,7 @@
 #include <atomic>
 #include <cstdint>
 
-#include "base/host_memory.h"
+#include "base/memory_host.h"
 #include "base/message_host.h"
 
 namespace weft::api {

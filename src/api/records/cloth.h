@@ -5,7 +5,7 @@
 #include <memory_resource>
 
 #include "api/records/way.h"
-#include "base/host_memory.h"
+#include "base/memory_host.h"
 #include "plan/shape.h"
 #include "scene/stretch.h"
 #include "weft/world.hpp"

@@ -1,7 +1,7 @@
 // What a world remembers of an output, and the checks of its description.
 #pragma once
 
-#include "base/host_memory.h"
+#include "base/memory_host.h"
 #include "weft/world.hpp"
 
 namespace weft::api {

@@ -1,7 +1,7 @@
 // Events of a step: room is made before it, so that telling of it needs no memory.
 #pragma once
 
-#include "base/host_memory.h"
+#include "base/memory_host.h"
 #include "base/message_host.h"
 #include "weft/world.hpp"
 

@@ -350,9 +350,7 @@ Stats World::stats() const noexcept {
   return s;
 }
 
-View<Event> World::events() const noexcept {
-  return impl_ ? impl_->told.events() : View<Event>();
-}
+View<Event> World::events() const noexcept { return impl_ ? impl_->told.events() : View<Event>(); }
 
 double World::time() const noexcept { return impl_ ? impl_->told.time() : 0; }
 

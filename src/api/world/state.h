@@ -139,8 +139,8 @@ struct __attribute__((visibility("hidden"))) World::Impl : HostObject {
   Vector<std::unique_ptr<api::ClothRecord>> cloths;  ///< by slot; null: free
   api::Slots<ClothId> cloth_ids;
   Vector<std::unique_ptr<api::ClothRecord>> graves;  ///< destroyed, but the arena is made for them
-  Vector<ClothId> order;                  ///< by creation
-  Vector<api::ColliderRecord> colliders;  ///< by slot; null id: free
+  Vector<ClothId> order;                             ///< by creation
+  Vector<api::ColliderRecord> colliders;             ///< by slot; null id: free
   api::Slots<ColliderId> collider_ids;
   Vector<api::ColliderSetRecord> collider_sets;  ///< by slot; null id: free
   api::Slots<ColliderSetId> collider_set_ids;

@@ -8,7 +8,7 @@
 #include "api/world/call_guard.h"
 #include "api/context/vector_math.h"
 #include "api/world/state.h"
-#include "base/stable_sort.h"
+#include "base/stable_sort_host.h"
 #include "scene/stability.h"
 
 namespace weft {

@@ -4,7 +4,7 @@
 
 #include <mutex>
 
-#include "base/host_memory.h"
+#include "base/memory_host.h"
 #include "weft/world.hpp"
 
 namespace weft::api {

@@ -1,10 +1,10 @@
-// std::stable_sort whose room is host memory of the library (base/host_memory.h). Host code only.
+// std::stable_sort whose room is host memory of the library (base/memory_host.h). Host code only.
 #pragma once
 
 #include <algorithm>
 #include <iterator>
 
-#include "base/host_memory.h"
+#include "base/memory_host.h"
 
 namespace weft {
 

@@ -112,6 +112,7 @@ struct __attribute__((visibility("hidden"))) World::Impl : HostObject {
   void start_bounds_of(api::ClothRecord&) const;
   void publish_bounds(api::ClothRecord&) const;
   Status report_not_finite();
+  Status report_first_not_finite();
   /// A force beyond the range of fixed64: diverged, or ok when there was none.
   Status find_overflow(api::Overflow&);
   /// Of one in the last step.

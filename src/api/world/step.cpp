@@ -250,6 +250,19 @@ Status World::prepare(double dt) noexcept {
 
 Status World::Impl::report_not_finite() {
   lost = true;
+  try {
+    return report_first_not_finite();
+  } catch (const std::bad_alloc&) {  // it has diverged all the same
+    const Text message = text(
+        "a vertex is not finite after %.6g s, and there is no memory to see which (the simulation "
+        "diverged) use a shorter step or look for extreme inputs",
+        time);
+    events.push_back({EventType::non_finite, {}, 0, time, nullptr}, message);
+    return context->fail(Status::diverged, message);
+  }
+}
+
+Status World::Impl::report_first_not_finite() {
   Vector<double3> x;
   for (api::ClothRecord* cloth : built->cloths) {
     if (const Status status = arena->read(*cloth, api::StateArray::position, x);

@@ -117,6 +117,7 @@ static void outputs_and_time(weft_context* context) {
   weft_stability stability;
   weft_mechanics mechanics;
   weft_double3 out[4];
+  weft_float3 near_out[4];
   weft_pass passes[2];
   weft_debug_draw draw = weft_default_debug_draw();
   uint32_t substeps = 0, pass_count = 0, particles[4];
@@ -126,7 +127,14 @@ static void outputs_and_time(weft_context* context) {
   int i;
 
   mesh.positions = network.positions = ground.positions = points;
-  mesh.indices = ground.indices = view(triangles, 6, sizeof triangles[0]);
+  hold(!mesh.positions.is_double && mesh.positions.stride == sizeof(weft_float3) &&
+           weft_default_output().memory == NULL,
+       "defaults");
+  hold(weft_double_points(square, 4).stride == points.stride && WEFT_VIEW(square, 4).count == 4 &&
+           !weft_float_points(NULL, 0).is_double &&
+           weft_view_of(square, SIZE_MAX, 1).count == UINT32_MAX,
+       "views");
+  mesh.indices = ground.indices = WEFT_VIEW(triangles, 6);
   network.springs = view(springs, 2, sizeof springs[0]);
   must(weft_cook_mesh(context, &mesh, &fabric), "mesh");
   must(weft_cook_network(context, &network, &net), "network");
@@ -186,6 +194,10 @@ static void outputs_and_time(weft_context* context) {
   must(weft_write_outputs(world, advance.alpha), "write");
   memcpy(&y, memory + 16 * 2 + 4, sizeof y);
   must(weft_read_positions(world, cloth, out, sizeof out[0]), "positions");
+  must(weft_read_positions_float(world, cloth, near_out, sizeof near_out[0]), "float positions");
+  for (i = 0; i < 4; ++i) hold(fabs((double)near_out[i].y - out[i].y) < 1e-6, "float positions");
+  must(weft_read_normals_float(world, cloth, near_out, sizeof near_out[0]), "float normals");
+  hold(weft_world_stats(world).cpu_seconds > 0, "no CPU time");
   must(weft_cloth_bounds(world, cloth, &bounds), "bounds");
   hold(y >= (float)bounds.low.y && y <= (float)bounds.high.y, "the vertex is out of bounds");
   hold((double)y < out[2].y, "not between the steps: the sheet rises");

@@ -190,7 +190,8 @@ void print_summary(const io::Scene& scene, const io::Report& report) {
                        seconds_text(report.dt) + ", bound " + seconds_text(report.dt_bound)},
       {"ran on", report.backend + " " + report.isa + ", " + std::to_string(report.threads) +
                      " threads, " + report.precision},
-      {"time", seconds_text(report.wall_seconds)}};
+      {"time", seconds_text(report.wall_seconds) + " (" + seconds_text(report.cpu_seconds) +
+                   " of processors)"}};
   if (const auto cost = report.ns_per_particle_step()) {
     lines.back().second += ", " + seconds_text(report.wall_seconds / double(report.frames)) +
                            " per frame, " + figure(*cost) + " ns per particle and step";

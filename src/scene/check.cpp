@@ -36,6 +36,10 @@ void check_choice(int value, int count, const char* field, const char* names) {
 }
 void check_view(const void* data, uint64_t count, uint32_t stride, size_t element,
                 const char* field) {
+  if (count >= View<char>::too_many) {
+    throw InvalidInput(
+        text("%s has 2^32 - 1 elements or more (a view counts fewer) give less at once", field));
+  }
   if (count > 0 && data == nullptr) {
     throw InvalidInput(
         text("%s has %llu elements and a null pointer (there is nothing to read) "

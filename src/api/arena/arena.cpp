@@ -242,7 +242,7 @@ class ArenaOf final : public Arena, public HostObject {
   Status save(const ArenaInput& in) override {
     Vector<Vec3<T>> values;
     for (ClothRecord* cloth : in.cloths) {
-      if (!cloth->moved) continue;
+      if (!cloth->moved || cloth->buried) continue;
       if (device_.before.data) {
         const size_t vertices = cloth->cooked().vertices;
         const Status status = fetch(device_.before, cloth->first(), vertices, values);
@@ -451,6 +451,13 @@ class ArenaOf final : public Arena, public HostObject {
   template <class ThePart>
   Status upload(ThePart part, const ClothRecord& cloth) {
     const int64_t elements = int64_t(slices_of(cloth)) * block_size;
+    const int64_t first = cloth.place.part[index_of(part.part)];
+    const auto to = pieces_of(part, sim_, first, elements, stride());
+    if (backend_.info().host_memory) {  // in place: a step takes no memory
+      for (const Piece& piece : to) std::memset(piece.at, 0, piece.bytes);
+      part.fill(cloth, first, stride(), part.arrays(sim_));
+      return Status::ok;
+    }
     const Counts counts = counts_with(part.part, elements);
     const auto cut = [&](char* base, Simulation<T>& image) {
       plan::Cutter cutter(base, static_cast<size_t>(stride()));
@@ -462,10 +469,8 @@ class ArenaOf final : public Arena, public HostObject {
     cut(memory.data(), image);
     part.fill(cloth, 0, stride(), part.arrays(image));
     const auto from = pieces_of(part, image, 0, elements, stride());
-    const auto to =
-        pieces_of(part, sim_, cloth.place.part[index_of(part.part)], elements, stride());
-    for (size_t k = 0; k < from.size(); ++k) {
-      const Status status = backend_.to_device(to[k].at, from[k].at, from[k].bytes);
+    for (int k = 0; k < from.count; ++k) {
+      const Status status = backend_.to_device(to.at[k].at, from.at[k].at, from.at[k].bytes);
       if (status != Status::ok) return status;
     }
     return Status::ok;

@@ -114,11 +114,11 @@ const char* to_string(EventType type) noexcept {
 
 const char* build_info() noexcept {
   static const Text info = text("%d.%d.%d omp%s " WEFT_COMPILER, WEFT_VERSION_MAJOR,
-                                       WEFT_VERSION_MINOR, WEFT_VERSION_PATCH,
+                                WEFT_VERSION_MINOR, WEFT_VERSION_PATCH,
 #ifdef WEFT_HAVE_CUDA
-                                       " cuda"
+                                " cuda"
 #else
-                                       ""
+                                ""
 #endif
   );
   return info.c_str();

@@ -88,6 +88,7 @@ struct ClothRecord : ClothSettings, HostObject {
   StretchWatch stretch;
 
   uint32_t parts_changed = 0;  ///< bit k: the device's entries of Part k are out of date
+  bool buried = false;         ///< destroyed, but still in the arena
   bool moved = false;          ///< a step has been made: the device holds its state
   ClothCounts place{};         ///< where its elements begin in the arrays of the device
   // State while the device memory is being remade: local, storage order, as the form keeps it.

@@ -59,14 +59,11 @@ Result<ColliderSetId> World::create_collider_set(const ColliderSetDesc& desc) no
     const Described all = described(desc);
     api::ColliderSetRecord set;
     set.members.reserve(all.records.size());
-    try {
-      for (const api::ColliderRecord& record : all.records) {
-        set.members.push_back(impl_->add(record));
-      }
-      id = impl_->collider_set_ids.take(impl_->collider_sets);
-    } catch (...) {
-      for (const ColliderId member : set.members) impl_->remove(*impl_->find(member));
-      throw;
+    impl_->collider_set_ids.make_room(impl_->collider_sets, 1);
+    impl_->collider_ids.make_room(impl_->colliders, all.records.size());
+    id = impl_->collider_set_ids.take(impl_->collider_sets);
+    for (const api::ColliderRecord& record : all.records) {
+      set.members.push_back(impl_->add(record));
     }
     set.id = id;
     impl_->collider_sets[id.index] = std::move(set);

@@ -70,8 +70,8 @@ static Status read_cloth(World::Impl* impl, ClothId id, api::StateArray which, U
 /// Hands out vectors, `stride` bytes apart; `what` names them in messages.
 template <class Point>
 static Status read_points(World::Impl* impl, ClothId id, api::StateArray which, const char* what,
-                          Point* out, uint32_t stride) {
-  const api::CallGuard guard(impl);
+                          Point* out, uint32_t stride, const char* call = __builtin_FUNCTION()) {
+  const api::CallGuard guard(impl, id, call);
   if (!guard) return guard.status();
   if (const api::ClothRecord* cloth = impl->find(id);
       cloth && cloth->cooked().vertices > 0 && (!out || stride < sizeof(Point))) {
@@ -101,7 +101,7 @@ Status World::read_positions(ClothId id, float3* out, uint32_t stride) noexcept 
 
 template <class Point>
 static Status read_normals(World::Impl* impl, ClothId id, Point* out, uint32_t stride) {
-  const api::CallGuard guard(impl);
+  const api::CallGuard guard(impl, id);
   if (!guard) return guard.status();
   if (impl->find(id)) impl->want_normals();
   return read_points(impl, id, api::StateArray::normal, "normals", out, stride);
@@ -114,7 +114,7 @@ Status World::read_normals(ClothId id, float3* out, uint32_t stride) noexcept {
 }
 
 Status World::read_accelerations(ClothId id, double3* out) noexcept {
-  const api::CallGuard guard(impl_);
+  const api::CallGuard guard(impl_, id);
   if (!guard) return guard.status();
   if (impl_->find(id) && !out) {
     return impl_->context->fail(
@@ -151,7 +151,7 @@ Status World::Impl::probe(const api::ClothRecord& cloth, Vector<api::Probed>& ou
 /// v = (d_n + d_(n+1))/2dt. Where nothing but forces acts on a vertex that is d/dt + a dt/2 with
 /// every force of the scheme: lagged drag acts on d/dt, central drag on v.
 Status World::read_velocities(ClothId id, double3* out) noexcept {
-  const api::CallGuard guard(impl_);
+  const api::CallGuard guard(impl_, id);
   if (!guard) return guard.status();
   if (impl_->find(id) && !out) {
     return impl_->context->fail(Status::invalid_argument,
@@ -281,7 +281,7 @@ Stability World::stability() noexcept {
 }
 
 Result<Stability> World::stability(ClothId id) noexcept {
-  const api::CallGuard guard(impl_);
+  const api::CallGuard guard(impl_, id);
   if (!guard) return guard.status();
   api::ClothRecord* cloth = impl_->find(id);
   if (!cloth) return impl_->stale("cloth", id.index);
@@ -334,6 +334,7 @@ void World::Impl::publish() const noexcept {
   s.dt_last = dt_before;
   s.dt_least = dt_least;
   s.step_seconds = step_seconds;
+  s.cpu_seconds = cpu_seconds;
   s.time_dropped = time_dropped;
   s.threads = threads_last;
   const int shown = desc.profile ? api::phases_with_laps : api::phase_count;

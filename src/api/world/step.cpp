@@ -32,6 +32,7 @@ class Stopwatch {
 
 constexpr double shortest_substep = 1e-15;
 constexpr double most_substeps = 1e9;
+constexpr double most_table_bytes = 268435456;
 
 /// The fewest substeps of a frame with dt / n <= limit; beyond most_substeps the size is all that
 /// counts.
@@ -42,6 +43,19 @@ double fewest_substeps(double dt, double limit) {
   if (dt / n > limit) n += 1;
   if (n > 1 && dt / (n - 1) <= limit) n -= 1;
   return n;
+}
+
+/// Offsets of pin motions and turns of colliders are tabled for every substep of a frame.
+void check_tables(const plan::WorldShape& shape) {
+  const Counts counts = plan::counts_of(shape);
+  const double motions = counts.pin_blocks > 0 ? static_cast<double>(counts.motions) : 0;
+  const double of_substep = 3 * motions + 9 * static_cast<double>(counts.turns);
+  const double bytes = shape.substeps * of_substep * static_cast<double>(shape.scalar());
+  if (bytes <= most_table_bytes) return;
+  throw InvalidInput(
+      text("%u substeps (with moving pins or turning colliders they take tables of %.3g GB, and a "
+           "step has %.3g at most) step less far at once",
+           shape.substeps, 1e-9 * bytes, 1e-9 * most_table_bytes));
 }
 
 bool before_in_arena(const api::ClothRecord* a, const api::ClothRecord* b) {
@@ -102,6 +116,7 @@ api::ArenaInput World::Impl::arena_input(uint32_t substeps) const {
     in.meshes.push_back(c.cooked_mesh);
     shape.meshes.push_back(api::grid_counts(*c.cooked_mesh));
   }
+  check_tables(shape);
   return in;
 }
 
@@ -114,6 +129,7 @@ Status World::Impl::ensure_built(double dt, uint32_t substeps) {
     const Status status = arena->save(*built);
     if (status != Status::ok) return status;
     built.reset();
+    graves.clear();
   }
   dirty = true;
   result = Result::none;
@@ -254,7 +270,7 @@ Status World::Impl::report_not_finite() {
 }
 
 void World::Impl::begin_events() noexcept {
-  events.clear();
+  if (!lost) events.clear();  // those that say how it was lost stay
 }
 
 void World::Impl::drop_time(double seconds, const char* why) {
@@ -284,7 +300,7 @@ Status World::Impl::begin(const api::Stride& stride, double way) {
 }
 
 void World::Impl::fly() noexcept {
-  flight.seconds = 0;
+  flight.seconds = flight.cpu_seconds = 0;
   const MemoryScope scope(&context->memory);
   const api::Zone zone(*context, "weft step");
   const Stopwatch watch(flight.seconds);
@@ -292,6 +308,7 @@ void World::Impl::fly() noexcept {
   const double before = dt_before > 0 ? dt_before : sub_dt;
   Workers workers = context->workers();
   if (desc.profile) workers.clock = &clock;
+  workers.cpu_seconds = &flight.cpu_seconds;
   try {
     flight.outcome =
         arena->frame(*built, {static_cast<int>(flight.substeps), sub_dt, before, time, workers});
@@ -350,6 +367,7 @@ Status World::Impl::tell_of_stretch() {
 
 Status World::Impl::land() {
   phases[api::phase_inputs_and_advance].seconds += flight.seconds;
+  cpu_seconds += flight.cpu_seconds;
   for (int lap = 0; lap < lap_count; ++lap) {
     phases[api::phase_count + lap].seconds = clock.seconds[lap];
   }

@@ -127,7 +127,8 @@ static void outputs_and_time(weft_context* context) {
   int i;
 
   mesh.positions = network.positions = ground.positions = points;
-  hold(!mesh.positions.is_double && mesh.positions.stride == sizeof(weft_float3) &&
+  hold(!weft_default_mesh().positions.is_double &&
+           weft_default_mesh().positions.stride == sizeof(weft_float3) &&
            weft_default_output().memory == NULL,
        "defaults");
   hold(weft_double_points(square, 4).stride == points.stride && WEFT_VIEW(square, 4).count == 4 &&

@@ -59,7 +59,10 @@ Result<ColliderSetId> World::create_collider_set(const ColliderSetDesc& desc) no
       }
       id = impl_->collider_set_ids.take(impl_->collider_sets);
     } catch (...) {
-      for (const ColliderId member : set.members) impl_->remove(*impl_->find(member));
+      // The last first: so the free slots stay in order, and with them the colliders to come.
+      for (; !set.members.empty(); set.members.pop_back()) {
+        impl_->remove(*impl_->find(set.members.back()));
+      }
       throw;
     }
     set.id = id;

@@ -3,6 +3,7 @@
 
 #include "arguments.h"
 #include "output.h"
+#include "remarks.h"
 #include "step_bound.h"
 #include "windless.h"
 
@@ -41,21 +42,10 @@ const char* name_of(Severity severity) {
 std::vector<Finding> find_all(const io::Scene& scene, io::RunningScene& made,
                               const Stability& stability, uint64_t planned) {
   std::vector<Finding> findings;
-  for (size_t i = 0; i < scene.cloths.size(); ++i) {
-    if (const auto* shape = std::get_if<io::MeshShape>(&scene.cloths[i].shape)) {
-      for (const auto& text : shape->mesh->warnings) findings.push_back({"warning", i, 0, text});
-    }
-    const View<Diagnostic> diagnostics = made.fabrics[i].diagnostics();
-    for (uint32_t k = 0; k < diagnostics.count; ++k) {
-      const Diagnostic& d = diagnostics[k];
-      findings.push_back({name_of(d.severity), i, d.element, d.text ? d.text : ""});
-    }
-    const auto remarks = made.world.diagnostics(made.cloths[i]);
-    made.require(remarks.status(), scene.file);
-    for (uint32_t k = 0; k < remarks->count; ++k) {
-      const Diagnostic& d = (*remarks)[k];
-      findings.push_back({name_of(d.severity), i, d.element, d.text});
-    }
+  for (Remark& r : remarks(scene, made)) {
+    // What names its collider names no cloth.
+    std::string text = r.collider ? subject(scene, r) + r.text : std::move(r.text);
+    findings.push_back({name_of(r.severity), r.cloth, r.element, std::move(text)});
   }
   for (Windless& cloth : windless_cloths(scene, made)) {
     findings.push_back({"warning", cloth.cloth, 0, std::move(cloth.text), true});

@@ -52,6 +52,7 @@ void collect_figures(const io::Scene& scene, io::RunningScene& made, io::Report&
   report.frames = stats.frames;
   report.steps = stats.steps;
   report.wall_seconds = stats.step_seconds;
+  report.cpu_seconds = stats.cpu_seconds;
   report.bytes_state = stats.bytes_state;
   report.bytes_total = stats.bytes_total;
   report.dt_bound = made.world.stability().dt_bound;

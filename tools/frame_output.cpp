@@ -68,8 +68,10 @@ void FrameOutput::read(io::RunningScene& made) {
     const size_t first = surface_.parts[i].first_vertex;
     const ClothId cloth = made.cloths[i];
     made.require(made.world.read_positions(cloth, &surface_.positions[first]), scene_file_);
+    io::spread(made, i, &surface_.positions[first]);
     if (surface_.normals.empty()) continue;
     made.require(made.world.read_normals(cloth, &surface_.normals[first]), scene_file_);
+    io::spread(made, i, &surface_.normals[first]);
   }
 }
 

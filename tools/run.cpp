@@ -4,9 +4,11 @@
 #include "arguments.h"
 #include "collect_report.h"
 #include "frame_output.h"
+#include "lengthening.h"
 #include "output.h"
 #include "output_paths.h"
 #include "progress.h"
+#include "remarks.h"
 #include "step_bound.h"
 #include "stop_signal.h"
 #include "windless.h"
@@ -108,20 +110,36 @@ void write_final(const std::string& path, const io::Scene& scene, io::RunningSce
   io::FinalWriter writer(path);
   std::vector<double3> positions, velocities;
   for (size_t i = 0; i < made.cloths.size(); ++i) {
-    positions.resize(made.fabrics[i].vertex_count());
+    positions.resize(io::vertex_count(made, i));
     velocities.resize(positions.size());
     made.require(made.world.read_positions(made.cloths[i], positions.data()), scene.file);
     made.require(made.world.read_velocities(made.cloths[i], velocities.data()), scene.file);
+    io::spread(made, i, positions.data());
+    io::spread(made, i, velocities.data());
     writer.add_cloth(i, positions, velocities);
   }
   writer.commit();
 }
 
+/// Lengthening that no cloth survives. It is measured only where some spring is long enough.
+struct Absurdity {
+  static constexpr double absurd = 10;
+
+  Lengthening lengthening;
+  double most = 0;
+
+  void look(io::RunningScene& made, double stretch) {
+    if (stretch > absurd) most = std::max(most, lengthening.most(made));
+  }
+};
+
 /// Writes the frame if it is due; then it counts for the largest stretch, too.
-void update_frames(FrameOutput* frames, uint64_t frame, io::RunningScene& made,
-                   io::Report& report) {
+void update_frames(FrameOutput* frames, uint64_t frame, io::RunningScene& made, io::Report& report,
+                   Absurdity& absurd) {
   if (!frames || !frames->update(frame, made)) return;
-  report.largest_stretch = std::max(report.largest_stretch, made.world.mechanics()->stretch);
+  const double stretch = made.world.mechanics()->stretch;
+  report.largest_stretch = std::max(report.largest_stretch, stretch);
+  absurd.look(made, stretch);
 }
 
 void prepare(const io::Scene& scene, io::RunningScene& made) {
@@ -131,13 +149,13 @@ void prepare(const io::Scene& scene, io::RunningScene& made) {
 
 /// Why a run ended before its time; empty when it did not.
 std::string simulate(const io::Scene& scene, io::RunningScene& made, FrameOutput* frames,
-                     io::Report& report) {
+                     io::Report& report, Absurdity& absurd) {
   const uint64_t count = io::frame_count(scene.time, "$.time.duration");
   const std::function<void()> rescue = [frames] {
     if (frames) frames->commit();
   };
   prepare(scene, made);
-  update_frames(frames, 0, made, report);
+  update_frames(frames, 0, made, report, absurd);
   Progress progress(count);
   for (uint64_t frame = 1; frame <= count; ++frame) {
     if (stop_signal() != 0) {
@@ -156,7 +174,7 @@ std::string simulate(const io::Scene& scene, io::RunningScene& made, FrameOutput
       return "stopped in frame " + which + ": " + made.log->last_error(status);
     }
     made.require(status, scene.file);
-    update_frames(frames, frame, made, report);
+    update_frames(frames, frame, made, report, absurd);
     progress.update(frame);
   }
   return "";
@@ -172,7 +190,8 @@ void print_summary(const io::Scene& scene, const io::Report& report) {
                        seconds_text(report.dt) + ", bound " + seconds_text(report.dt_bound)},
       {"ran on", report.backend + " " + report.isa + ", " + std::to_string(report.threads) +
                      " threads, " + report.precision},
-      {"time", seconds_text(report.wall_seconds)}};
+      {"time", seconds_text(report.wall_seconds) + " (" + seconds_text(report.cpu_seconds) +
+                   " of processors)"}};
   if (const auto cost = report.ns_per_particle_step()) {
     lines.back().second += ", " + seconds_text(report.wall_seconds / double(report.frames)) +
                            " per frame, " + figure(*cost) + " ns per particle and step";
@@ -202,17 +221,14 @@ int run_command(const RunOptions& options) {
   for (const Windless& cloth : windless_cloths(scene, made)) {
     print_message("warning: " + scene.file + ": " + cloth.text);
   }
-  for (size_t i = 0; i < made.cloths.size(); ++i) {
-    const auto remarks = made.world.diagnostics(made.cloths[i]);
-    made.require(remarks.status(), scene.file);
-    for (uint32_t k = 0; k < remarks->count; ++k) {
-      print_message("warning: " + scene.file + ": cloth '" + scene.cloths[i].name +
-                    "': " + (*remarks)[k].text);
-    }
+  for (const Remark& remark : remarks(scene, made)) {
+    if (remark.severity == Severity::info) continue;
+    print_message("warning: " + scene.file + ": " + subject(scene, remark) + remark.text);
   }
+  Absurdity absurd{Lengthening(scene, made)};
   io::Report report;
   collect_fallback(made, report.events);
-  std::string early = simulate(scene, made, frames ? &*frames : nullptr, report);
+  std::string early = simulate(scene, made, frames ? &*frames : nullptr, report, absurd);
   if (frames) frames->commit();
   collect_figures(scene, made, report);
   if (early.empty() && !std::isfinite(report.mechanics.kinetic)) {
@@ -222,9 +238,9 @@ int run_command(const RunOptions& options) {
   }
   if (!options.report.empty()) io::write_report(options.report, report);
   if (!early.empty()) throw io::OutputError(scene.file + ": " + early);
-  constexpr double absurd = 10;
-  if (report.largest_stretch > absurd) {
-    print_message("warning: " + scene.file + ": a spring is " + figure(1 + report.largest_stretch) +
+  absurd.look(made, report.mechanics.stretch);
+  if (absurd.most > Absurdity::absurd) {
+    print_message("warning: " + scene.file + ": a spring is " + figure(1 + absurd.most) +
                   " times as long as at rest (the cloth is soft, or has gained energy) give more "
                   "stiffness or damping, or a smaller $.solver.safety");
   }

@@ -7,7 +7,7 @@ std::vector<Windless> windless_cloths(const io::Scene& scene, const io::RunningS
   if (!scene.wind) return found;
   for (size_t i = 0; i < scene.cloths.size(); ++i) {
     if (made.fabrics[i].triangle_count() > 0) continue;
-    const bool network = std::holds_alternative<io::NetworkShape>(scene.cloths[i].shape);
+    const bool network = !std::holds_alternative<io::GridShape>(scene.cloths[i].shape);
     found.push_back({i, "$.wind: cloth \"" + scene.cloths[i].name + "\" " +
                             (network ? "is a network" : "is one row or column") +
                             " (it has no triangles for wind to act on) use a " +

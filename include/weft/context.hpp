@@ -49,7 +49,7 @@ class WEFT_API Context {
   Result<World> create_world(const WorldDesc& = {}) noexcept;
 
   ContextInfo info() const noexcept;
-  uint64_t bytes_allocated() const noexcept;  ///< held now, host and device
+  uint64_t bytes_allocated() const noexcept;  ///< held now for all it made, host and device
 
   struct Impl;
   explicit Context(Impl* made) noexcept : impl_(made) {}

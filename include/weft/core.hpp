@@ -34,7 +34,8 @@ struct double3 {
 };
 
 /// Non-owning strided view of `count` elements, `stride` bytes apart. The elements must be aligned
-/// for T. A view may point straight into an engine's interleaved buffer.
+/// for T. A view may point straight into an engine's interleaved buffer. It holds fewer than 2^32 - 1
+/// elements; one of more has that count, and every call refuses it.
 template <class T>
 struct View {
   const void* data = nullptr;
@@ -42,13 +43,18 @@ struct View {
   uint32_t stride = sizeof(T);
 
   constexpr View() = default;
-  constexpr View(const T* first, size_t n) : data(first), count(static_cast<uint32_t>(n)) {}
+  constexpr View(const T* first, size_t n) : data(first), count(counted(n)) {}
   constexpr View(const void* first, size_t n, uint32_t byte_stride)
-      : data(first), count(static_cast<uint32_t>(n)), stride(byte_stride) {}
+      : data(first), count(counted(n)), stride(byte_stride) {}
   /// From anything contiguous that has data() and size(): vector, array, span.
   template <class Container,
             class = decltype(static_cast<const T*>(static_cast<const Container*>(nullptr)->data()))>
-  constexpr View(const Container& c) : data(c.data()), count(static_cast<uint32_t>(c.size())) {}
+  constexpr View(const Container& c) : data(c.data()), count(counted(c.size())) {}
+
+  static constexpr uint32_t too_many = ~0u;
+  static constexpr uint32_t counted(size_t n) {
+    return n < too_many ? static_cast<uint32_t>(n) : too_many;
+  }
 
   constexpr bool empty() const { return count == 0; }
   /// Element i. Not checked: i must be below `count`.
@@ -114,8 +120,9 @@ class [[nodiscard]] Result {
   Status status_;
 };
 
-/// Names an object by slot and generation: an id of a destroyed object never names its successor.
-/// Trivially copyable; a value-initialised id is null.
+/// Names an object by slot and generation. A process gives an id once, in whatever world, to
+/// whatever kind of object: that of a destroyed object, or of another world, names nothing. Trivially
+/// copyable; a value-initialised id is null.
 template <class Tag>
 struct Id {
   uint32_t index = 0;
@@ -133,8 +140,10 @@ using OutputId = Id<struct output_tag>;
 
 enum class Severity : uint8_t { info, warning, error };
 
-/// Memory of a context. Both functions or neither; null means the C++ heap. Called from the thread
-/// that calls weft. `allocate` returns memory aligned to `alignment` (a power of two) or null.
+/// Memory of a context. Both functions or neither; null means the C++ heap. All host memory of weft
+/// passes through it, but for what others take: the thread of begin_step, OpenMP, a GPU's runtime,
+/// exceptions of the C++ library. Called from the thread that calls weft. `allocate` returns memory
+/// aligned to `alignment` (a power of two) or null, and the call then answers out_of_memory.
 struct Allocator {
   void* user = nullptr;
   void* (*allocate)(void* user, size_t bytes, size_t alignment) = nullptr;
@@ -142,7 +151,9 @@ struct Allocator {
 };
 
 /// Receives every message of a context, on the thread that made the call; null means none.
-/// Error texts read `<problem> (<why it is a problem>) <what to do>`.
+/// Error texts read `<call>, cloth <index>: <problem> (<why it is a problem>) <what to do>`, the
+/// cloth where the call is about one, and have at most 511 characters. A text is told eight times,
+/// and then whenever its count has doubled, with the count.
 struct Log {
   void* user = nullptr;
   void (*message)(void* user, Severity, const char* text) = nullptr;

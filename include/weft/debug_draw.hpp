@@ -7,7 +7,8 @@ namespace weft {
 inline namespace v0 {
 
 /// What World::debug_draw shows; colours are 0xRRGGBBAA. A tool: it reads all positions back and is
-/// not fast.
+/// not fast. `line` is called when the world has let go: it may call the world, and destroy it. A
+/// line with an end that is not finite is left out.
 struct DebugDraw {
   enum : uint32_t {
     springs = 1,    ///< white; redder the more one is stretched, bluer the more compressed

@@ -62,8 +62,18 @@ struct GridDesc {
   Material material;
 };
 
+/// One spring of a network, or beside the edges of a mesh. `stiffness` N/m and `rest_length` m
+/// override the material when >= 0.
+struct Spring {
+  uint32_t a = 0, b = 0;
+  double stiffness = -1;
+  double rest_length = -1;
+};
+
 /// Triangles over vertices: a stretch spring per unique edge and, with `bend`, a bend spring
-/// between the opposite vertices of each edge that has exactly two triangles.
+/// between the opposite vertices of each edge that has exactly two triangles. A triangle that is
+/// given again, the same way or the other way round, counts once, and is reported; of two ways the
+/// one that fits its neighbours counts, else the first.
 struct MeshDesc {
   PointView positions;     ///< m, rest shape
   View<uint32_t> indices;  ///< 3 per triangle, each below positions.count, three different ones
@@ -74,13 +84,10 @@ struct MeshDesc {
   /// (Fabric::read_particles); outputs are by vertex of `positions`, as ever. A triangle that loses
   /// a corner is left out, and reported. Masses per vertex: a particle has its first vertex's.
   double weld_distance = 0;
-};
-
-/// One spring of a network. `stiffness` N/m and `rest_length` m override the material when >= 0.
-struct Spring {
-  uint32_t a = 0, b = 0;
-  double stiffness = -1;
-  double rest_length = -1;
+  /// More springs between the vertices, a != b, as an OBJ file has lines beside its faces. One
+  /// without a stiffness has the stretch stiffness. What an edge or an earlier spring joins already
+  /// is left out, and reported.
+  View<Spring> springs;
 };
 
 /// Any graph of springs, without triangles.
@@ -126,13 +133,18 @@ class WEFT_API Fabric {
   Impl* impl_ = nullptr;
 };
 
-/// Triangles that cloth collides with, of any number.
+/// Triangles that cloth collides with, of any number. One that is given again counts once, as in
+/// MeshDesc. A closed mesh may have several pieces, judged one by one: triangles that share edges
+/// make a piece. One that is inside out is a cavity of the piece round it, and refused elsewhere.
 struct ColliderMeshDesc {
   PointView positions;       ///< m, in the mesh's own frame
   View<uint32_t> indices;    ///< 3 per triangle, counterclockwise from outside when `closed`
   double scale = 1;          ///< > 0; multiplies the positions, not the thickness
   double thickness = 0.005;  ///< m, > 0: the distance that particles keep from the triangles
   bool closed = false;  ///< has an inside; every edge then has two triangles, oppositely directed
+  /// m, scaled; vertices nearer than this are one. At 0, those that rounding parts are one: within
+  /// 2^-46 of the largest coordinate, and at the rim of a hole in a closed mesh within 2^-22 of it.
+  double weld_distance = 0;
 };
 
 /// Shared ownership of a cooked collider mesh, as Fabric. An empty one has no triangles.

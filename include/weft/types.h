@@ -60,7 +60,9 @@ enum {
   WEFT_EVENT_SLEPT,
   WEFT_EVENT_WOKE,
   WEFT_EVENT_TIME_DROPPED,
-  WEFT_EVENT_FORCE_OVERFLOW
+  WEFT_EVENT_FORCE_OVERFLOW,
+  WEFT_EVENT_LARGE_STRETCH,
+  WEFT_EVENT_LARGE_ENERGY
 };
 #define WEFT_PIN_FIXED UINT32_MAX
 
@@ -79,7 +81,8 @@ typedef struct weft_double3 {
   double x, y, z;
 } weft_double3;
 
-/* `count` elements, `stride` bytes apart; count 0: nothing. Of what, the field says. */
+/* `count` elements, `stride` bytes apart; count 0: nothing. Of what, the field says. WEFT_VIEW makes
+ * one of an array, weft_float_points and weft_double_points one of points. */
 typedef struct weft_view {
   const void* data;
   uint32_t count, stride;
@@ -87,8 +90,37 @@ typedef struct weft_view {
 typedef struct weft_points {
   const void* data; /* weft_float3 or weft_double3 */
   uint32_t count, stride;
-  bool is_double;
+  bool is_double; /* false, float, in the defaults */
 } weft_points;
+
+/* 2^32 - 1 elements or more have the count 2^32 - 1, and every call refuses them. */
+static inline uint32_t weft_count(size_t count) {
+  return count < UINT32_MAX ? (uint32_t)count : UINT32_MAX;
+}
+static inline weft_view weft_view_of(const void* data, size_t count, size_t stride) {
+  weft_view v;
+  v.data = data;
+  v.count = weft_count(count);
+  v.stride = (uint32_t)stride;
+  return v;
+}
+#define WEFT_VIEW(array, count) weft_view_of((array), (count), sizeof *(array))
+static inline weft_points weft_float_points(const weft_float3* points, size_t count) {
+  weft_points p;
+  p.data = points;
+  p.count = weft_count(count);
+  p.stride = (uint32_t)sizeof(weft_float3);
+  p.is_double = false;
+  return p;
+}
+static inline weft_points weft_double_points(const weft_double3* points, size_t count) {
+  weft_points p;
+  p.data = points;
+  p.count = weft_count(count);
+  p.stride = (uint32_t)sizeof(weft_double3);
+  p.is_double = true;
+  return p;
+}
 
 typedef struct weft_allocator {
   void* user;
@@ -140,17 +172,18 @@ typedef struct weft_grid_desc {
   uint8_t stencil;
   weft_material material;
 } weft_grid_desc;
+typedef struct weft_spring {
+  uint32_t a, b;
+  double stiffness, rest_length; /* below 0: the material's */
+} weft_spring;
 typedef struct weft_mesh_desc {
   weft_points positions;
   weft_view indices; /* uint32_t */
   bool bend;
   weft_material material;
   double weld_distance;
+  weft_view springs; /* weft_spring, beside the edges */
 } weft_mesh_desc;
-typedef struct weft_spring {
-  uint32_t a, b;
-  double stiffness, rest_length; /* below 0: the material's */
-} weft_spring;
 typedef struct weft_network_desc {
   weft_points positions;
   weft_view springs; /* weft_spring */
@@ -161,6 +194,7 @@ typedef struct weft_collider_mesh_desc {
   weft_view indices; /* uint32_t */
   double scale, thickness;
   bool closed;
+  double weld_distance;
 } weft_collider_mesh_desc;
 
 typedef struct weft_world_desc {
@@ -299,7 +333,7 @@ typedef struct weft_mechanics {
 typedef struct weft_stats {
   uint64_t particles, springs, frames, steps;
   uint32_t substeps_last, substeps_most;
-  double dt_last, dt_least, step_seconds, time_dropped;
+  double dt_last, dt_least, step_seconds, cpu_seconds, time_dropped;
   uint32_t threads;
   uint64_t bytes_state, bytes_total;
 } weft_stats;

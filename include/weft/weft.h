@@ -45,6 +45,7 @@ WEFT_C_API weft_cylinder_desc weft_default_cylinder(void);
 WEFT_C_API weft_box_desc weft_default_box(void);
 WEFT_C_API weft_mesh_collider_desc weft_default_mesh_collider(void);
 WEFT_C_API weft_pose weft_default_pose(void);
+WEFT_C_API weft_output_desc weft_default_output(void);
 WEFT_C_API weft_wind_desc weft_default_wind(void);
 
 /* `abi`: WEFT_C_ABI of the header that the caller was compiled with. A null `desc`: the defaults.
@@ -144,10 +145,14 @@ WEFT_C_API weft_stats weft_world_stats(const weft_world*);
 WEFT_C_API double weft_time(const weft_world*);
 WEFT_C_API weft_status weft_read_positions(weft_world*, weft_cloth_id, weft_double3* out,
                                            uint32_t stride);
+WEFT_C_API weft_status weft_read_positions_float(weft_world*, weft_cloth_id, weft_float3* out,
+                                                 uint32_t stride);
 WEFT_C_API weft_status weft_read_velocities(weft_world*, weft_cloth_id, weft_double3* out);
 WEFT_C_API weft_status weft_read_accelerations(weft_world*, weft_cloth_id, weft_double3* out);
 WEFT_C_API weft_status weft_read_normals(weft_world*, weft_cloth_id, weft_double3* out,
                                          uint32_t stride);
+WEFT_C_API weft_status weft_read_normals_float(weft_world*, weft_cloth_id, weft_float3* out,
+                                               uint32_t stride);
 WEFT_C_API weft_status weft_read_mechanics(weft_world*, weft_mechanics* out);
 WEFT_C_API weft_status weft_state_hash(weft_world*, uint64_t* out);
 

@@ -184,6 +184,10 @@ enum class EventType : uint8_t {
   woke,              ///< and moves again
   time_dropped,      ///< max_steps_per_advance or max_substeps: Stats::time_dropped has grown
   force_overflow,    ///< a spring force left the range of Accumulate::fixed64; `vertex` is an end
+  large_stretch,  ///< a spring is stretched by more than 10 times its rest length; `vertex` is an
+                  ///< end. Once, until all are below it. Some springs are looked at after a
+                  ///< step, all of 16,000 vertices or triangles within 16 steps
+  large_energy,   ///< the springs of a cloth are stretched to 3 times their length on average
 };
 WEFT_API const char* to_string(EventType) noexcept;
 struct Event {
@@ -207,6 +211,10 @@ struct Stats {
   uint32_t substeps_last, substeps_most;
   double dt_last, dt_least;  ///< s
   double step_seconds;       ///< wall time inside step()
+  /// CPU time of the threads that worked in step(), s: more than wall time where several did, less
+  /// where other programs took the processor. With the caller's jobs: of the whole process
+  /// meanwhile. Of a GPU: of the thread that waited for it.
+  double cpu_seconds;
   double time_dropped;       ///< s, since the world was made
   uint32_t threads;          ///< most that a step may use; small worlds run on fewer
   View<PhaseTime> phases;
@@ -274,9 +282,16 @@ struct Advance {
 /// Cloths and colliders that share time, gravity and precision. Used by one thread at a time, not
 /// always the same; different worlds of one context may be used by different threads at once. A
 /// call while another thread is inside answers wrong_thread; one between begin_step and end_step
-/// answers in_flight. Neither changes anything. Inputs change between steps. Every failing call
-/// leaves the world as it was, but for a step that ends in `diverged`: the world is then readable
-/// and of no further use. A world holds at most 2^30 particles. Vertices are numbered as the caller
+/// answers in_flight. Neither changes anything. valid, time, stats, bounds, events and step_done may
+/// be called by any thread at any time, by several at once, and never wait: while another thread is
+/// inside they answer as after the last call that has ended. What they point to, the events and
+/// Stats::phases, is written by the next step: read it when none is made.
+///
+/// Inputs change between steps. Every failing call leaves the world as it was, but for a step that
+/// ends in `diverged`: the world is then readable and of no further use. out_of_memory too leaves it
+/// as it was, and the call may be made again when there is memory: a step takes up its inputs or
+/// nothing, and takes no memory once it advances; destroy_* need none. A world may be destroyed in a
+/// step in flight: it waits for its end. A world holds at most 2^30 particles. Vertices are numbered as the caller
 /// gave them.
 class WEFT_API World {
  public:
@@ -346,8 +361,7 @@ class WEFT_API World {
   /// afterwards.
   Result<Advance> advance(double frame_dt) noexcept;
   /// step(dt) in two halves: the first takes up the inputs and returns, the second waits for the
-  /// end. In between only step_done, valid, time, stats, bounds and events may be called, from the
-  /// same thread. Where the caller brings jobs, Jobs::launch runs the step; without it begin_step
+  /// end. In between only step_done, valid, time, stats, bounds and events may be called. Where the caller brings jobs, Jobs::launch runs the step; without it begin_step
   /// does. begin_step fails as step does, and nothing has then begun. end_step without begin_step:
   /// invalid_argument.
   Status begin_step(double dt) noexcept;

@@ -16,8 +16,11 @@ namespace weft::io {
 struct RunningScene {
   std::unique_ptr<MessageLog> log;
   Context context;
-  std::vector<Fabric> fabrics;                ///< one per cloth of the scene
+  std::vector<Fabric> fabrics;  ///< one per cloth of the scene
+  /// By cloth and vertex of the scene: its particle; empty where each vertex is one.
+  std::vector<std::vector<uint32_t>> particles;
   std::vector<ColliderMesh> collider_meshes;  ///< different ones, in the order of first use
+  std::vector<size_t> mesh_colliders;         ///< the first collider of the scene with each
   World world;
   std::vector<ClothId> cloths;  ///< one per cloth of the scene
 
@@ -30,7 +33,18 @@ struct RunningScene {
 /// `desc` says where it runs; its log is replaced. CoreError names the file and the JSON path.
 RunningScene build(const Scene&, ContextDesc desc);
 
-/// Triangles and edges of all cloths; the positions are zero.
+/// Triangles and edges of all cloths, by vertices of the scene; the positions are zero.
 Surface make_surface(const Scene&, const RunningScene&);
+
+/// The springs of a network, or beside the edges of a mesh; null for grids.
+const std::vector<Spring>* lines_of(const Shape&);
+/// Vertices of a cloth in the scene; welded ones count.
+size_t vertex_count(const RunningScene&, size_t cloth);
+/// From a value per particle, at the begin of `values`, to a value per vertex of the scene.
+void spread(const RunningScene&, size_t cloth, double3* values);
+
+/// `text` of the library, with the number of the file's face beside that of a triangle where
+/// polygons were cut: "triangle 7 (face 3)".
+std::string with_faces(const std::string& text, const Mesh&);
 
 }  // namespace weft::io

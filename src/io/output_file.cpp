@@ -41,6 +41,9 @@ OutputFile::OutputFile(const std::string& path, Sync sync) : path_(path), sync_(
     errno = ELOOP;
     fail("opened");
   }
+  // Its temporary neighbour may have a name that is short enough.
+  struct stat status {};
+  if (::lstat(target_.c_str(), &status) != 0 && errno != ENOENT) fail("opened");
   temporary_ = TemporaryFile(target_);
   descriptor_ = ::open(temporary_.path().c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
   if (descriptor_ < 0) fail("made");

@@ -1,10 +1,10 @@
-// PLY, text and binary: elements `vertex` (x, y, z) and `face` (vertex_indices); all else is
-// skipped.
+// PLY, text and binary: elements `vertex` (x, y, z), `face` (vertex_indices) and `edge` (vertex1,
+// vertex2); all else is skipped.
 #include "io/mesh.h"
 
 #include "io/error.h"
+#include "io/face_list.h"
 #include "io/ply_body.h"
-#include "io/polygon.h"
 
 namespace weft::io {
 namespace {
@@ -20,6 +20,7 @@ class PlyReader {
         name_(name),
         most_bytes_(most_bytes),
         memory_(most_bytes, text.size()) {}
+  PlyReader(const PlyReader&) = delete;
 
   Mesh read() {
     for (const PlyElement& element : header_.elements) {
@@ -29,9 +30,12 @@ class PlyReader {
         read_vertices();
       else if (element.name == "face")
         read_faces();
+      else if (element.name == "edge" && has_ends(element))
+        read_edges();
       else
         skip_element();
     }
+    require_cut(faces_.finish());
     if (const uint64_t left = body_.spare_bytes()) {
       mesh_.warnings.push_back(std::to_string(left) +
                                " bytes behind the last element were skipped (the header does not "
@@ -151,10 +155,66 @@ class PlyReader {
       require(body_.next_integer(property.type, index), property);
       polygon_.push_back(checked_index(index));
     }
-    require_room(append_fan(polygon_, mesh_.triangles, memory_));
-    if (const uint32_t* twice = repeated_vertex(polygon_)) {
-      fail("the face names vertex " + std::to_string(*twice) +
-           " twice (its triangles would overlap) remove one of the two");
+    if (corners > 3) {
+      scratch_.clear();
+      require_room(memory_.make_room(scratch_, corners));
+      scratch_ = polygon_;
+      if (const uint32_t* twice = repeated_vertex(scratch_)) {
+        fail("the face names vertex " + std::to_string(*twice) +
+             " twice (its triangles would overlap) remove one of the two");
+      }
+    }
+    require_cut(faces_.add(polygon_, body_.position()));
+  }
+
+  void require_cut(Cut cut) {
+    if (cut == Cut::done) return;
+    require_room(cut != Cut::no_memory);
+    const FaceList::Failure& failure = faces_.failure();
+    std::string where = name_ + ": ";
+    if (header_.format == PlyFormat::ascii) {
+      where +=
+          "line " + std::to_string(line_number(text_, size_t(failure.line - text_.data()))) + ": ";
+    }
+    throw InputError(where + "face " + std::to_string(failure.face) + ": the face " +
+                     to_text(cut, failure.corners));
+  }
+
+  static bool has_ends(const PlyElement& element) {
+    for (const char* end : {"vertex1", "vertex2"}) {
+      const size_t at = element.find(end);
+      if (at == element.properties.size() || element.properties[at].is_list ||
+          !is_integer(element.properties[at].type)) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  void read_edges() {
+    const PlyElement& element = *element_;
+    const size_t ends[2] = {element.find("vertex1"), element.find("vertex2")};
+    record_ = 0;
+    require_room(memory_.make_room(mesh_.lines, element.count));
+    for (record_ = 0; record_ < element.count; ++record_) {
+      begin();
+      uint32_t vertex[2] = {};
+      for (size_t p = 0; p < element.properties.size(); ++p) {
+        const PlyProperty& property = element.properties[p];
+        if (p != ends[0] && p != ends[1]) {
+          skip_property(property);
+          continue;
+        }
+        int64_t index = 0;
+        require(body_.next_integer(property.type, index), property);
+        vertex[p == ends[1]] = checked_index(index);
+      }
+      end();
+      if (vertex[0] == vertex[1]) {
+        fail("joins vertex " + std::to_string(vertex[0]) +
+             " to itself (a spring has two ends) correct or remove it");
+      }
+      mesh_.lines.push_back({vertex[0], vertex[1]});
     }
   }
 
@@ -216,7 +276,8 @@ class PlyReader {
   Mesh mesh_;
   const PlyElement* element_ = nullptr;
   uint64_t record_ = 0;
-  std::vector<uint32_t> polygon_;
+  FaceList faces_{mesh_, memory_};
+  Polygon polygon_, scratch_;
 };
 
 }  // namespace

@@ -63,7 +63,8 @@ nlohmann::ordered_json to_json(const Report& report) {
                    {"dt", report.dt},
                    {"dt_bound", finite_or_null(report.dt_bound)},
                    {"steps", report.steps},
-                   {"wall_seconds", report.wall_seconds}};
+                   {"wall_seconds", report.wall_seconds},
+                   {"cpu_seconds", report.cpu_seconds}};
   const auto cost = report.ns_per_particle_step();
   json["ns_per_particle_step"] = cost ? OrderedJson(*cost) : OrderedJson(nullptr);
   json["phases"] = OrderedJson::array();

@@ -44,6 +44,7 @@ struct GridShape {
 struct MeshShape {
   std::shared_ptr<const Mesh> mesh;  ///< shared by all that name the same file
   bool bend = false;
+  double weld_distance = 0;
 };
 struct NetworkShape {
   std::vector<double3> positions;
@@ -72,6 +73,7 @@ struct MeshColliderScene {
   std::shared_ptr<const Mesh> mesh;  ///< shared by all that name the same file
   double scale = 1, thickness = 0.005;
   bool closed = false;
+  double weld_distance = 0;
   Pose pose;
   double3 velocity{0, 0, 0};
   double friction = 0;

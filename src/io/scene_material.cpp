@@ -8,7 +8,8 @@ namespace {
 
 bool has_triangles(const Shape& shape) {
   if (const auto* grid = std::get_if<GridShape>(&shape)) return grid->rows > 1 && grid->columns > 1;
-  return std::holds_alternative<MeshShape>(shape);
+  const auto* mesh = std::get_if<MeshShape>(&shape);
+  return mesh && !mesh->mesh->triangles.empty();
 }
 
 void read_masses(const Node& node, ClothScene& cloth) {

@@ -19,8 +19,8 @@ void read_time(const Node&, TimeSettings&);
 void read_solver(const Node&, SolverSettings&);
 ClothScene read_cloth(const Node&, MeshCache&);
 Shape read_shape(const Node& cloth, MeshCache&);
-/// The mesh of a file, read once. It has faces: `need` says why and what to give otherwise.
-std::shared_ptr<const Mesh> load_mesh(const Node& file, MeshCache&, const char* need);
+/// The mesh of a file, read once.
+std::shared_ptr<const Mesh> load_mesh(const Node& file, MeshCache&);
 void read_material(const Node& cloth, ClothScene&);
 void read_pins(const Node&, ClothScene&);
 /// `{ "scale", "rotate", "translate" }`

@@ -36,7 +36,7 @@ GridShape read_grid(const Node& node) {
 
 }  // namespace
 
-std::shared_ptr<const Mesh> load_mesh(const Node& file, MeshCache& cache, const char* need) {
+std::shared_ptr<const Mesh> load_mesh(const Node& file, MeshCache& cache) {
   const std::string& name = file.text();
   if (name.empty()) file.fail("\"\" names no file (a mesh is read from one) give its path");
   constexpr size_t longest = 1000;
@@ -59,11 +59,8 @@ std::shared_ptr<const Mesh> load_mesh(const Node& file, MeshCache& cache, const 
   } catch (const InputError& error) {
     file.fail(error.what());
   }
-  cache.bytes +=
-      mesh->positions.size() * sizeof(double3) + mesh->triangles.size() * sizeof(uint32_t);
-  if (mesh->triangles.empty()) {
-    file.fail(path + ": has no faces " + need);
-  }
+  cache.bytes += mesh->positions.size() * sizeof(double3) + mesh->lines.size() * sizeof(Spring) +
+                 (mesh->triangles.size() + mesh->faces.size()) * sizeof(uint32_t);
   if (mesh->positions.size() > uint64_t(most_vertices)) {
     file.fail(path + ": has more than 2^30 vertices (indices end there) give a smaller mesh");
   }
@@ -73,11 +70,19 @@ std::shared_ptr<const Mesh> load_mesh(const Node& file, MeshCache& cache, const 
 namespace {
 
 MeshShape read_mesh_shape(const Node& node, MeshCache& cache) {
-  node.require_object({"file", "bend"});
+  node.require_object({"file", "bend", "weld_distance"});
   MeshShape shape;
   if (const auto bend = node.find("bend")) shape.bend = bend->boolean();
-  shape.mesh = load_mesh(node.at("file", "the path of an OBJ or PLY file"), cache,
-                         "(a cloth's springs come from them) give a surface, or a network");
+  if (const auto key = node.find("weld_distance")) {
+    shape.weld_distance = key->number(Sign::not_negative);
+  }
+  const Node file = node.at("file", "the path of an OBJ or PLY file");
+  shape.mesh = load_mesh(file, cache);
+  if (shape.mesh->triangles.empty() && shape.mesh->lines.empty()) {
+    file.fail(file.text() +
+              ": has no faces and no lines (a cloth's springs come from them) give a surface, or a "
+              "network");
+  }
   return shape;
 }
 

@@ -25,7 +25,8 @@ uint64_t particles(const Scene& scene) {
 
 uint64_t bytes_of(const Shape& shape) {
   if (const auto* mesh = std::get_if<MeshShape>(&shape)) {
-    return mesh->mesh->triangles.size() / 3 * per_triangle + vertex_count(shape) * per_particle;
+    return mesh->mesh->triangles.size() / 3 * per_triangle + mesh->mesh->lines.size() * per_spring +
+           vertex_count(shape) * per_particle;
   }
   if (const auto* network = std::get_if<NetworkShape>(&shape)) {
     return network->springs.size() * per_spring + vertex_count(shape) * per_particle;
@@ -46,7 +47,7 @@ std::optional<std::string> problem_of(uint64_t bytes, const char* what) {
 }  // namespace
 
 MeshKey key_of(const MeshColliderScene& d) {
-  return {d.mesh.get(), d.scale, d.thickness, d.closed};
+  return {d.mesh.get(), d.scale, d.thickness, d.closed, d.weld_distance};
 }
 
 uint64_t bytes_to_build(const Scene& scene) {

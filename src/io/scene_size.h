@@ -22,7 +22,7 @@ void require_buildable(const Scene&);
 std::optional<std::string> beyond_memory(uint64_t bytes);
 
 /// Colliders for which this is equal can share what is built of their triangles.
-using MeshKey = std::tuple<const Mesh*, double, double, bool>;
+using MeshKey = std::tuple<const Mesh*, double, double, bool, double>;
 MeshKey key_of(const MeshColliderScene&);
 
 }  // namespace weft::io

@@ -67,13 +67,19 @@ BoxDesc read_box(const Node& node) {
 }
 
 MeshColliderScene read_mesh_collider(const Node& node, MeshCache& meshes) {
-  node.require_object({"file", "transform", "thickness", "closed"});
+  node.require_object({"file", "transform", "thickness", "closed", "weld_distance"});
   MeshColliderScene mesh;
   if (const auto key = node.find("transform")) read_transform(*key, mesh.scale, mesh.pose);
   if (const auto key = node.find("thickness")) mesh.thickness = key->number(Sign::positive);
   if (const auto key = node.find("closed")) mesh.closed = key->boolean();
-  mesh.mesh = load_mesh(node.at("file", "the path of an OBJ or PLY file"), meshes,
-                        "(cloth collides with them) give a surface");
+  if (const auto key = node.find("weld_distance")) {
+    mesh.weld_distance = key->number(Sign::not_negative);
+  }
+  const Node file = node.at("file", "the path of an OBJ or PLY file");
+  mesh.mesh = load_mesh(file, meshes);
+  if (mesh.mesh->triangles.empty()) {
+    file.fail(file.text() + ": has no faces (cloth collides with them) give a surface");
+  }
   return mesh;
 }
 

@@ -100,7 +100,7 @@ struct AdvanceParticles {
                                      int block, int i0, Lanes<N> lanes,
                                      const LaneVec3<T, N>& force) const {
     const Simulation<T>& sim = stages.sim;
-    const Region<T> region = region_of(sim, activity, block);
+    const Region<T> region = region_of(sim, cloth, activity, block, i0);
     bool every = activity.nearness == Nearness::every;
     if (every) {
       integrate(cloth, Everywhere{}, i0, lanes, force);

@@ -37,7 +37,7 @@ struct CollidePass {
   WEFT_HD void collide(const ClothParams<T>& cloth, const ClothActivity<T>& activity, int block,
                        int i0, Lanes<N> lanes) const {
     const CollideStage<T, what> stage{stages.sim, stages.p, stages.step};
-    const Region<T> region = region_of(stages.sim, activity, block);
+    const Region<T> region = region_of(stages.sim, cloth, activity, block, i0);
     const bool every = activity.nearness == Nearness::every || stage.has_left(region, i0, lanes);
     if (!every && meets_nothing(stages.sim, activity, block)) return;
     stage(cloth, activity, every, region, block, i0, lanes);

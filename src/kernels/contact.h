@@ -8,20 +8,25 @@
 namespace weft {
 namespace WEFT_BACKEND_NS {
 
-/// Whether a particle has to do with a collider: it is inside, or fast.
-template <class Shape, class Placement, class T>
+/// Whether a particle has to do with a collider: it is inside, or fast; in the position form also
+/// when it was inside a substep ago.
+template <class T, bool Position, class Shape, class Placement>
 struct Concern {
-  Vec3Array<T> x_in, x_out;
+  ParticleBuffers<T> p;
   Shape shape;
   Placement before, now;
 
   WEFT_HD bool operator()(int i) const {
-    const Vec3<T> p1 = at_start(now, load(x_out, i));
-    const bool inside = is_inside(shape, p1);
+    const Vec3<T> p1 = at_start(now, load(p.x_out, i));
+    bool inside = is_inside(shape, p1);
+    if constexpr (Position) {
+      const Vec3<T> previous = load(p.d_in, i) + carried(before, now, load(p.x_in, i));
+      inside |= is_inside(shape, at_start(before, previous));
+    }
     if constexpr (!IsSwept<Shape>::value) {
       return inside;
     } else {
-      const bool fast = magnitude2(p1 - at_start(before, load(x_in, i))) >
+      const bool fast = magnitude2(p1 - at_start(before, load(p.x_in, i))) >
                         shape.surface.sweep * shape.surface.sweep;
       return inside | fast;
     }
@@ -35,6 +40,7 @@ struct Contact {
   ParticleBuffers<T> p;
   Shape shape;
   Placement before, now;
+  T ratio;  ///< of this substep's length and the last one's
 
   WEFT_HD Vec3<T> way(int i) const {
     return at_start(now, load(p.x_out, i)) - at_start(before, load(p.x_in, i));
@@ -71,36 +77,52 @@ struct Contact {
     if constexpr (!Position) store(p.d_out, i, d + (against * normal + drag));
   }
 
-  /// A particle inside goes to the surface. Its velocity takes the whole way out, as positions have
-  /// it, unless it was inside before: then only what it came in with (hard case 46). The
-  /// displacement takes the same correction as the position, not the difference of positions: that
-  /// would round away what the summed form keeps. In the position form it follows from the
+  /// A particle inside goes to the surface along the normal where the substep began, as SHAKE puts
+  /// a constraint's force (Ryckaert, Ciccotti and Berendsen 1977): without friction a way along a
+  /// curved surface keeps its speed, and out of a convex shape nothing gains any while the normals
+  /// of both ends are within 60 degrees (docs/collisions.md). Where they are not, as past the edge
+  /// of a box, and from deep inside it goes along the normal where it ended, and its velocity takes
+  /// only what it came in with (hard case 46).
+  ///
+  /// The displacement takes the same correction as the position, not the difference of positions:
+  /// that would round away what the summed form keeps. In the position form it follows from the
   /// positions.
   WEFT_HD void push_out(int i) const {
-    const Vec3<T> x = load(p.x_out, i), p1 = at_start(now, x);
+    const Vec3<T> x0 = load(p.x_in, i), along = carried(before, now, x0);
+    const WayOut<T> start = way_out(shape, at_start(before, x0));
+    const Vec3<T> x = moved_without_throw(i, start, x0, along), p1 = at_start(now, x);
     const bool free = inverse_mass[i] > T(0), inside = is_inside(shape, p1);
     const WayOut<T> out = way_out(shape, p1);
     const bool meets = free & inside;
     const T depth = meets ? out.depth : T(0);
-    const Vec3<T> normal = turned(now, out.normal);
-    const Vec3<T> x0 = load(p.x_in, i), along = carried(before, now, x0);
+    const T before_depth = larger(T(0), start.depth);
+    const bool deep = before_depth > surface_of(p1);
+    // 1 - |n1 - n0|^2/2 is their product, and 1 to the last bit where the surface is flat.
+    const Vec3<T> bend = out.normal - start.normal;
+    const T cosine = T(1) - T(0.5) * magnitude2(bend);
+    const bool held_back = deep | (cosine < T(0.5));
+    const Vec3<T> normal = turned(now, select(held_back, out.normal, start.normal));
+    const T per_depth = T(1) / (held_back ? T(1) : cosine);
     const Vec3<T> d = displacement_of(i, x), slip = d - along;
     const T across = dot(slip, normal);
-    const T before_depth = depth_before(i);
-    const T made = larger(T(0), depth - before_depth);  // in this substep
-    const bool deep = before_depth > surface_of(p1);
-    const T moved = deep ? stopped_displacement(depth, across) : made;
+    const T push = per_depth * depth;
+    const T made = per_depth * larger(T(0), depth - before_depth);  // in this substep
+    const T moved = held_back ? stopped_displacement(depth, across) : made;
     const T most = shape.surface.friction * moved;
     const Vec3<T> sliding = slip - across * normal;
     const T held = part_held(sliding, most);
     const Vec3<T> drag = (-held) * sliding;
-    // What lay on the surface and sticks there is where it was, to the last bit.
-    const T rounding = rounding_of(p1);
-    const bool lay = (before_depth <= rounding) & (-across - depth <= rounding);
+    // What lay on the surface and sticks there is where it was, to the last bit. Along a curved
+    // surface it lies as deep as the slide that was taken back would have bent.
+    const bool flat = cosine == T(1);
+    const T bent = held_back ? T(0) : magnitude(dot(sliding, turned(now, bend)));
+    const T rounding = rounding_of(p1) + bent;
+    const T above = flat ? -across - depth : -start.depth;
+    const bool lay = (before_depth <= rounding) & (above <= rounding);
     const bool holds = (magnitude2(sliding) <= most * most) & (most > T(0));
     const bool hit = depth > T(0), sticks = meets & lay & holds;
     const Vec3<T> none{T(0), T(0), T(0)};
-    const Vec3<T> pushed = x + select(hit, depth * normal + drag, none);
+    const Vec3<T> pushed = x + select(hit, push * normal + drag, none);
     store(p.x_out, i, select(sticks, x0 + along, pushed));
     if constexpr (!Position) {
       const Vec3<T> braked = d + select(hit, moved * normal + drag, none);
@@ -111,12 +133,23 @@ struct Contact {
  private:
   /// How near to the surface a particle counts as being at it: rounding, or a trifle of the size.
   WEFT_HD T surface_of(Vec3<T> p0) const { return T(1e-3) * shape.surface.sweep + rounding_of(p0); }
-  /// How deep inside the particle was at the start of the substep.
-  WEFT_HD T depth_before(int i) const {
-    const Vec3<T> p0 = at_start(before, load(p.x_in, i));
-    const bool inside = is_inside(shape, p0);
-    const T depth = way_out(shape, p0).depth;
-    return inside ? depth : T(0);
+  /// Where the particle has come to. In the position form the last way out of deep inside is the
+  /// displacement that this substep began with: it is taken back.
+  WEFT_HD Vec3<T> moved_without_throw(int i, const WayOut<T>& start, Vec3<T> x0,
+                                      Vec3<T> along) const {
+    const Vec3<T> x = load(p.x_out, i);
+    if constexpr (!Position) {
+      return x;
+    } else {
+      // The collider is taken to have moved as it does now.
+      const Vec3<T> previous = load(p.d_in, i) + along, p_previous = at_start(before, previous);
+      const T depth = way_out(shape, p_previous).depth, surface = surface_of(p_previous);
+      const Vec3<T> normal = turned(before, start.normal);
+      const T thrown = larger(T(0), dot(x0 - previous, normal));
+      const bool was_deep = (depth > surface) & (start.depth <= surface);
+      const bool free = inverse_mass[i] > T(0);
+      return x - select(free & was_deep, (ratio * thrown) * normal, Vec3<T>{T(0), T(0), T(0)});
+    }
   }
   /// Where the way enters. A beginning a hair's breadth inside counts as at the surface; from
   /// deeper inside nothing is entered.

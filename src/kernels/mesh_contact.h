@@ -18,7 +18,14 @@ struct MeshContact {
   Vec3<T> to;      ///< where the particle must go
   Vec3<T> normal;  ///< unit vector from the mesh to there
   bool stopped;    ///< it was caught on the way, and `to` is where it came in
+  int32_t over;    ///< the triangle whose face is the nearest; -1: an edge, a corner or none
+  bool plain;      ///< the push is along the normal, from outside and from no other side
 };
+
+template <class T>
+WEFT_HD MeshContact<T> untouched(Vec3<T> x) {
+  return {false, x, {T(0), T(0), T(0)}, false, -1, false};
+}
 
 /// The first triangle that a way goes through; `triangle` is -1 if there is none.
 template <class T>
@@ -101,7 +108,7 @@ WEFT_HD Vec3<T> outward(const TriangleGrid<T>& grid, const Nearest<T>& near, Vec
 template <class T>
 WEFT_HD_COLD Touch<T> touch(const TriangleGrid<T>& grid, const Nearest<T>& near, Vec3<T> from,
                             Vec3<T> x) {
-  if (near.triangle < 0) return {{false, x, {T(0), T(0), T(0)}, false}, false};
+  if (near.triangle < 0) return {untouched(x), false};
   Vec3<T> away = near.away, normal = outward(grid, near, from, x);
   const Vec3<T> way = x - from;
   bool crossed = false;
@@ -120,7 +127,10 @@ WEFT_HD_COLD Touch<T> touch(const TriangleGrid<T>& grid, const Nearest<T>& near,
       away = same_sheet ? away : height * back;
     }
   }
-  return {{true, x + (grid.thickness * normal - away), normal, false}, crossed};
+  const bool at_surface = !(near.distance2 > T(1e-6) * grid.thickness * grid.thickness);
+  const bool plain = !crossed && !near.inside && !at_surface;
+  const int32_t over = near.feature < 0 ? near.triangle : -1;
+  return {{true, x + (grid.thickness * normal - away), normal, false, over, plain}, crossed};
 }
 
 /// The part of the way that lies in the grid, as shares of it.
@@ -148,7 +158,7 @@ WEFT_HD_COLD MeshContact<T> sweep(const TriangleGrid<T>& grid, Vec3<T> p0, Vec3<
   span = clip(span, p0.x, way.x, low.x, low.x + T(grid.cells[0]) * size);
   span = clip(span, p0.y, way.y, low.y, low.y + T(grid.cells[1]) * size);
   span = clip(span, p0.z, way.z, low.z, low.z + T(grid.cells[2]) * size);
-  if (!(span.in <= span.out)) return {false, p1, {T(0), T(0), T(0)}, false};
+  if (!(span.in <= span.out)) return untouched(p1);
 
   constexpr int most_pieces = most_sweep_pieces;
   const T part = span.out - span.in;
@@ -168,7 +178,7 @@ WEFT_HD_COLD MeshContact<T> sweep(const TriangleGrid<T>& grid, Vec3<T> p0, Vec3<
     outside = outside || !found.contact.hit;
     from = x;
   }
-  return {false, p1, {T(0), T(0), T(0)}, false};
+  return untouched(p1);
 }
 
 template <class T>
@@ -189,8 +199,52 @@ WEFT_HD MeshContact<T> mesh_contact(const TriangleGrid<T>& grid, Vec3<T> p0, Vec
                                     NearMemory<T>& memory, int32_t mesh) {
   if (is_long(grid, p1 - p0)) return sweep(grid, p0, p1);
   const Nearest<T> near = nearest(grid, p1, memory, mesh);
-  if (near.triangle < 0) return {false, p1, {T(0), T(0), T(0)}, false};
+  if (near.triangle < 0) return untouched(p1);
   return touch(grid, near, p0, p1).contact;
+}
+
+/// How much of the way before p0 led out of deep inside: the position form would go on with it.
+template <class T>
+WEFT_HD_COLD Vec3<T> thrown(const TriangleGrid<T>& grid, Vec3<T> p0, Vec3<T> way_before,
+                            const NearMemory<T>& memory, int32_t mesh) {
+  const Vec3<T> none{T(0), T(0), T(0)};
+  const Nearest<T> was = nearest(grid, p0 - way_before);
+  const T within = T(0.95) * grid.thickness;
+  const bool was_deep = was.triangle >= 0 && (was.inside || was.distance2 < within * within);
+  if (!was_deep) return none;
+  const Nearest<T> near = nearest_about(grid, p0, memory, mesh);
+  const T distance = square_root(near.distance2);
+  if (near.triangle < 0 || near.inside || distance < within) return none;
+  const Vec3<T> normal = (T(1) / distance) * near.away;
+  return larger(T(0), dot(way_before, normal)) * normal;
+}
+
+/// The surface at the thickness where a substep begins.
+template <class T>
+struct StartOnMesh {
+  Vec3<T> normal;
+  T depth;  ///< m below the thickness; negative above it
+};
+/// For a particle that a plain contact pushes: over the same face it is that of the contact, and so
+/// it is where the start tells nothing.
+template <class T>
+WEFT_HD_COLD StartOnMesh<T> start_on_mesh(const TriangleGrid<T>& grid, Vec3<T> p0,
+                                          const MeshContact<T>& contact,
+                                          const NearMemory<T>& memory, int32_t mesh) {
+  if (!contact.plain || contact.stopped) return {contact.normal, T(0)};
+  if (contact.over >= 0) {
+    T value[4];
+    plane_values(grid.planes[contact.over], p0, value);
+    const bool same_face = larger(larger(value[1], value[2]), value[3]) <= T(0);
+    const T height = dot(contact.normal, p0 - grid.corners[contact.over].corner[0]);
+    if (same_face && height > T(0)) return {contact.normal, grid.thickness - height};
+  }
+  const Nearest<T> near = nearest_about(grid, p0, memory, mesh);
+  const T distance = square_root(near.distance2);
+  if (near.triangle < 0 || near.inside || !(distance > T(1e-3) * grid.thickness)) {
+    return {contact.normal, T(0)};
+  }
+  return {(T(1) / distance) * near.away, grid.thickness - distance};
 }
 
 }  // namespace WEFT_BACKEND_NS

@@ -300,5 +300,37 @@ WEFT_HD Nearest<T> nearest(const TriangleGrid<T>& grid, Vec3<T> x, NearMemory<T>
   return best;
 }
 
+/// The nearest point for one that lies about the thickness away, where the memory of the particle
+/// helps but is not renewed: it is for where the particle goes. Inside tells as always.
+template <class T>
+WEFT_HD Nearest<T> nearest_about(const TriangleGrid<T>& grid, Vec3<T> x,
+                                 const NearMemory<T>& memory, int32_t mesh) {
+  const Cell c = cell_of(grid, x);
+  if ((c.i | c.j | c.k) < 0) return no_triangle(grid);
+  const int32_t cell = cell_number(grid, c), start = grid.cell_start[cell];
+  if (start < 0) return no_triangle(grid);
+  const Rounding<T> rounding = rounding_at(grid, x);
+  const Nearest<T> none{-1, -1, false, {T(0), T(0), T(0)}, T(4) * grid.thickness * grid.thickness};
+  Nearest<T> best = none;
+  bool found = false;
+  if (memory.mesh == mesh && memory.cell == cell) {
+    const Vec3<T> way = x - memory.at;
+    found = recall(grid, memory, square_root(dot(way, way)), x, rounding, best);
+  }
+  if (!found) {
+    best = none;
+    nearest_of_list(grid, grid.entry_triangle + start, x, rounding, best);
+  }
+  if (best.triangle < 0) return best;
+  if (best.feature < 0) {
+    const Vec3<T> n = face_normal(grid, best.triangle);
+    const T height = dot(n, x - grid.corners[best.triangle].corner[0]);
+    best.away = height * n;
+    best.distance2 = height * height;
+  }
+  best.inside = grid.closed != 0 && lies_inside(grid, best);
+  return best;
+}
+
 }  // namespace WEFT_BACKEND_NS
 }  // namespace weft

@@ -18,6 +18,12 @@ struct MeshEnds {
   WEFT_HD Vec3<T> start(int i) const {
     return back(rotation, at_start(before, load(x_in, i)) - translate);
   }
+  /// Of the substep before, relative to the mesh, which is taken to have moved as it does now.
+  WEFT_HD Vec3<T> way_before(Vec3Array<T> previous, int i) const {
+    const Vec3<T> x0 = load(x_in, i), along = carried(before, now, x0);
+    const Vec3<T> from = load(previous, i) + along;
+    return back(rotation, at_start(before, x0) - at_start(before, from));
+  }
   WEFT_HD Vec3<T> end(int i) const {
     return back(rotation, at_start(now, load(x_out, i)) - translate);
   }
@@ -57,6 +63,8 @@ WEFT_HD CellFinder<T> cells_of(const TriangleGrid<T>& grid) {
 template <class T, int N>
 struct MeshPushes {
   LaneVec3<T, N> push, normal;  ///< in the mesh's own frame
+  LaneVec3<T, N> start;         ///< normal where the substep began, or as `normal`
+  T start_depth[N];             ///< m below the thickness there
   T hit[N];                     ///< 0: nothing; 1: goes to the thickness; 2: was stopped on the way
 };
 
@@ -69,22 +77,40 @@ struct MeshResponse {
   T friction;
   Placement before, now;
 
+  /// Along the normal where the substep began, as Contact::push_out; along that where it ended if
+  /// the two are not known to go together. No such push may add to the kinetic energy: a mesh need
+  /// not be convex.
   WEFT_HD void operator()(int l, int i, const MeshPushes<T, N>& wanted) const {
     const Vec3<T> x = load(p.x_out, i);
     const bool hit = (wanted.hit[l] > T(0)) & (inverse_mass[i] > T(0));
-    // The correction is turned, not the position: nothing is lost far from the mesh's origin.
-    const Vec3<T> push = turned(now, rotation * wanted.push.get(l));
-    const Vec3<T> normal = turned(now, rotation * wanted.normal.get(l));
     const Vec3<T> d = Position ? x - load(p.x_in, i) : load(p.d_out, i);
     const Vec3<T> x0 = load(p.x_in, i), along = carried(before, now, x0), slip = d - along;
+    // The correction is turned, not the position: nothing is lost far from the mesh's origin.
+    const Vec3<T> whole = wanted.push.get(l), end = wanted.normal.get(l);
+    const Vec3<T> start = wanted.start.get(l), bend = end - start;
+    const Vec3<T> start_now = turned(now, rotation * start);
+    const T cosine = T(1) - T(0.5) * magnitude2(bend);
+    const T depth = dot(whole, end), start_depth = wanted.start_depth[l];
+    const T per_depth = T(1) / (cosine < T(0.5) ? T(1) : cosine);
+    const T made = per_depth * larger(T(0), depth - larger(T(0), start_depth));
+    const bool adds = made > T(-2) * dot(slip, start_now);
+    const bool flat = !(magnitude2(bend) > T(0));
+    const bool from_start = !(flat | adds | (cosine < T(0.5)));
+    const Vec3<T> normal = select(from_start, start_now, turned(now, rotation * end));
+    const Vec3<T> push =
+        select(from_start, (per_depth * depth) * start_now, turned(now, rotation * whole));
     const T across = dot(slip, normal), closing = larger(T(0), -across);
+    const T moved = from_start ? made : closing;
     const Vec3<T> sliding = slip - across * normal;
-    const T held = part_held(sliding, friction * closing);
+    const T most = friction * moved;
+    const T held = part_held(sliding, most);
     const Vec3<T> drag = (-held) * sliding;
     // What lay on the surface and sticks there is where it was, to the last bit.
-    const bool lay = magnitude(closing - dot(push, normal)) <= rounding_of(x);
+    const T bent = magnitude(dot(sliding, turned(now, rotation * bend)));
+    const T above =
+        from_start ? magnitude(start_depth) - bent : magnitude(closing - dot(push, normal));
+    const bool lay = above <= rounding_of(x);
     const bool stopped = wanted.hit[l] > T(1);
-    const T most = friction * closing;
     const bool holds = (magnitude2(sliding) <= most * most) & (most > T(0));
     const bool went_on = wanted.hit[l] < T(2);
     const bool sticks = hit & lay & holds & went_on;
@@ -93,7 +119,7 @@ struct MeshResponse {
     const Vec3<T> by = push + select(stopped, none, drag);
     store(p.x_out, i, select(sticks, x0 + along, x + select(hit, by, none)));
     if constexpr (!Position) {
-      const Vec3<T> braked = d + select(hit, closing * normal + drag, none);
+      const Vec3<T> braked = d + select(hit, moved * normal + drag, none);
       store(p.d_out, i, select(sticks, along, braked));
     }
   }

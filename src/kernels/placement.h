@@ -70,5 +70,97 @@ WEFT_HD Turned<T> turned(const Colliders<T>& colliders, const Surface<T>& s,
           shifted(s, step, ago).by};
 }
 
+/// Where the shape is now, for a look that need not turn every particle back.
+template <class T>
+WEFT_HD Sphere<T> at_present(const Turned<T>& p, Sphere<T> s) {
+  s.center = at_present(p, s.center);
+  return s;
+}
+template <class T>
+WEFT_HD Plane<T> at_present(const Turned<T>& p, Plane<T> s) {
+  const Vec3<T> normal = p.turn * s.normal;
+  s.offset = s.offset - dot(s.normal, p.pivot) + dot(normal, p.pivot + p.by);
+  s.normal = normal;
+  return s;
+}
+template <class T>
+WEFT_HD Capsule<T> at_present(const Turned<T>& p, Capsule<T> s) {
+  s.a = at_present(p, s.a);
+  s.axis = p.turn * s.axis;
+  return s;
+}
+template <class T>
+WEFT_HD Cylinder<T> at_present(const Turned<T>& p, Cylinder<T> s) {
+  s.a = at_present(p, s.a);
+  s.axis = p.turn * s.axis;
+  return s;
+}
+template <class T>
+WEFT_HD Box<T> at_present(const Turned<T>& p, Box<T> s) {
+  s.center = at_present(p, s.center);
+  for (int e = 0; e < 3; ++e) s.axis[e] = p.turn * s.axis[e];
+  return s;
+}
+/// The same shape with something around it.
+template <class T>
+WEFT_HD Sphere<T> grown(Sphere<T> s, T by) {
+  s.radius = s.radius + by;
+  return s;
+}
+template <class T>
+WEFT_HD Plane<T> grown(Plane<T> s, T by) {
+  s.offset = s.offset + by;
+  return s;
+}
+template <class T>
+WEFT_HD Capsule<T> grown(Capsule<T> s, T by) {
+  s.radius = s.radius + by;
+  return s;
+}
+template <class T>
+WEFT_HD Cylinder<T> grown(Cylinder<T> s, T by) {
+  s.a = s.a - by * s.axis;
+  s.length = s.length + by + by;
+  s.radius = s.radius + by;
+  return s;
+}
+template <class T>
+WEFT_HD Box<T> grown(Box<T> s, T by) {
+  s.half = s.half + Vec3<T>{by, by, by};
+  return s;
+}
+/// m: no point of the shape is further from its pivot, its middle; planes: no matter.
+template <class T>
+WEFT_HD T size_of(const Sphere<T>& s) {
+  return s.radius;
+}
+template <class T>
+WEFT_HD T size_of(const Plane<T>&) {
+  return T(0);
+}
+template <class T>
+WEFT_HD T size_of(const Capsule<T>& s) {
+  return s.radius + square_root(dot(s.axis, s.axis));
+}
+template <class T>
+WEFT_HD T size_of(const Cylinder<T>& s) {
+  return s.radius + s.length;
+}
+template <class T>
+WEFT_HD T size_of(const Box<T>& s) {
+  return s.half.x + s.half.y + s.half.z;
+}
+/// Square of the largest factor by which the turn between two places moves a point, times its
+/// distance from the pivot.
+template <class T>
+WEFT_HD T turn2_between(const Turned<T>& a, const Turned<T>& b) {
+  T sum = T(0);
+  for (int r = 0; r < 3; ++r) {
+    const Vec3<T> d = a.turn.row[r] - b.turn.row[r];
+    sum = sum + dot(d, d);
+  }
+  return T(0.5) * sum;
+}
+
 }  // namespace WEFT_BACKEND_NS
 }  // namespace weft

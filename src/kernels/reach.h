@@ -35,9 +35,11 @@ struct ReachOfBlocks {
     if (activity.nearness != Nearness::block) return;
     const int i0 = block * block_size + lane0;
     LaneVec3<T, N> least, most;
+    const int last = sim.cloths[sim.block.cloth[block]].end - 1;
     lanes.each([&](int l) WEFT_LANE {
-      least.set(l, load(x, i0 + l));
-      most.set(l, load(x, i0 + l));
+      const int i = i0 + l < last ? i0 + l : last;
+      least.set(l, load(x, i));
+      most.set(l, load(x, i));
     });
     const T m = activity.margin;
     BlockReach<T> reach{};

@@ -20,6 +20,7 @@ struct Everywhere {
 template <class T>
 struct Region {
   Vec3<T> low, high;
+  int count;  ///< lanes of this call that are particles; what fills up the block stays behind
 
   /// Moves every lane; true if any new position is outside, or is not finite.
   template <int N, class Move>
@@ -29,7 +30,7 @@ struct Region {
       const bool in_x = (x.x >= low.x) & (x.x <= high.x);
       const bool in_y = (x.y >= low.y) & (x.y <= high.y);
       const bool in_z = (x.z >= low.z) & (x.z <= high.z);
-      return !(in_x & in_y & in_z);
+      return (l < count) & !(in_x & in_y & in_z);
     });
   }
 };

@@ -4,7 +4,14 @@
 #pragma once
 
 #include <omp.h>
-#include <sched.h>
+#if defined(__linux__)
+#  include <linux/futex.h>
+#  include <sys/syscall.h>
+#  include <unistd.h>
+#else
+#  include <sched.h>
+#endif
+#include <time.h>
 
 #include "base/atomic.h"
 #include "base/lanes.h"
@@ -15,27 +22,69 @@
 namespace weft {
 namespace WEFT_BACKEND_NS {
 
-/// Meeting point of the threads of one region. Spins for a while, since substeps are short, then
-/// yields, so that more threads than cores still make progress.
+/// Meeting point of the threads of one region. Spins briefly, since substeps are short, then
+/// sleeps: on a busy machine who spins takes the time of the thread that it waits for. Who has
+/// slept once spins less the next time.
 class Barrier {
  public:
   void wait(int threads) {
     const int round = atomic_load(&round_);
     if (atomic_add(&arrived_, 1) == threads) {
       atomic_store(&arrived_, 0);
-      atomic_store(&round_, round + 1);
+      // Either this thread sees that one sleeps, or that one sees the new round.
+      __atomic_store_n(&round_, round + 1, __ATOMIC_SEQ_CST);
+      if (__atomic_load_n(&sleepers_, __ATOMIC_SEQ_CST) > 0) wake_all(&round_);
       return;
     }
-    int spins = 0;
-    while (atomic_load(&round_) == round) {
-      if (++spins > 4000) sched_yield();
+    const int most = __atomic_load_n(&spins_, __ATOMIC_RELAXED);
+    for (int spins = 0; spins < most; ++spins) {
+      if (atomic_load(&round_) != round) return spin(most + most / 8);
+      pause();
     }
+    spin(most / 2);
+    __atomic_add_fetch(&sleepers_, 1, __ATOMIC_SEQ_CST);
+    while (atomic_load(&round_) == round) sleep_while(&round_, round);
+    __atomic_sub_fetch(&sleepers_, 1, __ATOMIC_SEQ_CST);
   }
 
  private:
+  // A sleep and a waking take some 10 us; a round of the loop some 20 to 40 ns.
+  static constexpr int most_spins = 2000, least_spins = 64;
+
+  void spin(int next_time) {
+    const int most = next_time < most_spins ? next_time : most_spins;
+    __atomic_store_n(&spins_, most > least_spins ? most : least_spins, __ATOMIC_RELAXED);
+  }
+  static void pause() {
+#if defined(__x86_64__)
+    __builtin_ia32_pause();
+#endif
+  }
+  static void sleep_while(int* word, int value) {
+#if defined(__linux__)
+    syscall(SYS_futex, word, FUTEX_WAIT_PRIVATE, value, nullptr, nullptr, 0);
+#else
+    sched_yield();
+#endif
+  }
+  static void wake_all(int* word) {
+#if defined(__linux__)
+    syscall(SYS_futex, word, FUTEX_WAKE_PRIVATE, 1 << 30, nullptr, nullptr, 0);
+#endif
+  }
+
   alignas(64) int arrived_ = 0;
   alignas(64) int round_ = 0;
+  int sleepers_ = 0;
+  alignas(64) int spins_ = most_spins;
 };
+
+/// CPU time of this thread, or of the process, s.
+inline double cpu_seconds(clockid_t of) {
+  timespec now{};
+  clock_gettime(of, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
 
 /// The blocks [begin, end) of a kernel: what a thread of either kind runs.
 template <class Kernel>
@@ -126,18 +175,37 @@ class Exec {
   Exec(int blocks, Workers workers)
       : threads_(useful_threads(blocks, workers.threads)),
         jobs_(workers.jobs),
-        clock_(workers.clock) {}
+        clock_(workers.clock),
+        cpu_(workers.cpu_seconds) {}
 
   template <class Body>
   void frame(const Body& body) const {
-    if (jobs_ != nullptr) return body(Team(*jobs_, clock_));
-    if (threads_ <= 1) return body(Team(0, 1, nullptr, clock_));
-    Barrier barrier;
-#pragma omp parallel num_threads(threads_)
-    body(Team(omp_get_thread_num(), omp_get_num_threads(), &barrier, clock_));
+    double cpu = 0;
+    if (jobs_ != nullptr) {
+      cpu = timed(CLOCK_PROCESS_CPUTIME_ID, body, Team(*jobs_, clock_));
+    } else if (threads_ <= 1) {
+      cpu = timed(CLOCK_THREAD_CPUTIME_ID, body, Team(0, 1, nullptr, clock_));
+    } else {
+      Barrier barrier;
+#pragma omp parallel num_threads(threads_) reduction(+ : cpu)
+      {
+        const Team team(omp_get_thread_num(), omp_get_num_threads(), &barrier, clock_);
+        cpu += timed(CLOCK_THREAD_CPUTIME_ID, body, team);
+        team.meet();  // OpenMP's own barrier spins for long
+      }
+    }
+    if (cpu_) *cpu_ += cpu;
   }
 
  private:
+  /// CPU time that the body has taken, if anyone asks.
+  template <class Body>
+  double timed(clockid_t of, const Body& body, const Team& team) const {
+    const double begin = cpu_ ? cpu_seconds(of) : 0;
+    body(team);
+    return cpu_ ? cpu_seconds(of) - begin : 0;
+  }
+
   /// A second thread pays from about 1000 particles.
   static int useful_threads(int blocks, int wanted) {
     const int most = blocks / 16 > 1 ? blocks / 16 : 1;
@@ -147,6 +215,7 @@ class Exec {
   int threads_;
   const Jobs* jobs_;
   StageClock* clock_;
+  double* cpu_;
 };
 
 }  // namespace WEFT_BACKEND_NS

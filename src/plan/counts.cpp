@@ -18,10 +18,12 @@ ClothCounts counts_of(const WorldShape& world, const ClothShape& cloth) {
   if (scatters(cloth.kind)) {
     n.scatter_slices = blocks;
     n.edges = static_cast<int64_t>(cloth.edges);
-    n.incident = cloth.row_entries;
+    n.incident = cloth.row_entries - cloth.hub_entries;
+    n.hub_incident = cloth.hub_entries;
   } else if (!is_grid(cloth.kind)) {
     n.row_slices = blocks;
-    n.row_entries = cloth.row_entries;
+    n.row_entries = cloth.row_entries - cloth.hub_entries;
+    n.hub_entries = cloth.hub_entries;
     if (cloth.kind == KernelKind::mesh_per_spring) n.own_stiffness = cloth.row_entries;
   }
   n.hubs = cloth.hubs;
@@ -42,10 +44,12 @@ void add(const ClothCounts& more, ClothCounts& n) {
   n.grid_particles += more.grid_particles;
   n.row_slices += more.row_slices;
   n.row_entries += more.row_entries;
+  n.hub_entries += more.hub_entries;
   n.own_stiffness += more.own_stiffness;
   n.scatter_slices += more.scatter_slices;
   n.edges += more.edges;
   n.incident += more.incident;
+  n.hub_incident += more.hub_incident;
   n.hubs += more.hubs;
   n.hub_chunks += more.hub_chunks;
   n.fan_slices += more.fan_slices;

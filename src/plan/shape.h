@@ -15,6 +15,7 @@ struct ClothShape {
   int64_t
       row_entries;  ///< sliced rows and hubs, padding included; 0 for grids that gather, atomics
   uint64_t edges;   ///< padding included; 0: it gathers
+  int64_t hub_entries;        ///< of the row_entries: those of hubs
   uint32_t hubs, hub_chunks;  ///< none where atomics add up
   uint64_t hub_springs;       ///< directed: those of the hubs, among directed_springs
   int guard;                  ///< elements that the stencil reads before and behind

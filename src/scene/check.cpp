@@ -36,6 +36,10 @@ void check_choice(int value, int count, const char* field, const char* names) {
 }
 void check_view(const void* data, uint64_t count, uint32_t stride, size_t element,
                 const char* field) {
+  if (count >= View<char>::too_many) {
+    throw InvalidInput(
+        text("%s has 2^32 - 1 elements or more (a view counts fewer) give less at once", field));
+  }
   if (count > 0 && data == nullptr) {
     throw InvalidInput(
         text("%s has %llu elements and a null pointer (there is nothing to read) "
@@ -47,6 +51,24 @@ void check_view(const void* data, uint64_t count, uint32_t stride, size_t elemen
         text("%s has a stride of %u bytes (an element takes %zu) give the distance from one to the "
              "next",
              field, stride, element));
+  }
+}
+
+void check_spring(const Spring& s, uint32_t index, uint32_t vertices, const char* kind) {
+  for (const uint32_t v : {s.a, s.b}) {
+    if (v >= vertices) {
+      throw InvalidInput(text("spring %u names vertex %u (the %s has %u) give an index below that",
+                              index, v, kind, vertices));
+    }
+  }
+  if (s.a == s.b) {
+    throw InvalidInput(
+        text("spring %u joins vertex %u to itself (a spring has two ends) remove it", index, s.a));
+  }
+  if (s.stiffness != -1)
+    check_not_negative(s.stiffness, text("springs[%u].stiffness", index).c_str());
+  if (s.rest_length != -1) {
+    check_not_negative(s.rest_length, text("springs[%u].rest_length", index).c_str());
   }
 }
 

@@ -22,6 +22,8 @@ template <class T>
 void check_view(const View<T>& view, const char* field) {
   check_view(view.data, view.count, view.stride, sizeof(T), field);
 }
+/// Spring `index` of a fabric of so many vertices; `kind` is its word: "network".
+void check_spring(const Spring&, uint32_t index, uint32_t vertices, const char* kind);
 void check_material(const Material&, uint32_t vertices);
 void check_positions(PointView, const char* field);
 /// Copies positions, scaled.

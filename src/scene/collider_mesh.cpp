@@ -112,38 +112,47 @@ bool add_triangle(const Point (&corner)[3], CookedColliderMesh& mesh) {
   return true;
 }
 
-/// Returns the vertices of the triangles that it keeps.
-Vector<uint32_t> add_triangles(const ColliderMeshDesc& desc,
-                                    const Vector<double3>& positions,
-                                    CookedColliderMesh& mesh) {
-  const uint32_t given = desc.indices.count / 3;
-  mesh.planes.reserve(size_t(given) * 16);
-  mesh.corners.reserve(size_t(given) * 9);
-  Vector<uint32_t> vertex;
-  vertex.reserve(desc.indices.count);
-  uint32_t flat = 0, first_flat = 0;
-  for (uint32_t t = 0; t < given; ++t) {
-    const uint32_t v[3] = {desc.indices[3 * t], desc.indices[3 * t + 1], desc.indices[3 * t + 2]};
-    const Point corner[3] = {point(positions[v[0]]), point(positions[v[1]]),
-                             point(positions[v[2]])};
+/// Takes those that have no area from the surface.
+void add_triangles(Surface& surface, CookedColliderMesh& mesh) {
+  const uint32_t count = surface.triangles();
+  mesh.triangles = 0;
+  mesh.planes.clear();
+  mesh.corners.clear();
+  mesh.planes.reserve(size_t(count) * 16);
+  mesh.corners.reserve(size_t(count) * 9);
+  uint32_t flat = 0, first_flat = 0, kept = 0;
+  for (uint32_t t = 0; t < count; ++t) {
+    const uint32_t* v = &surface.vertex[3 * size_t(t)];
+    const Point corner[3] = {point(surface.positions[v[0]]), point(surface.positions[v[1]]),
+                             point(surface.positions[v[2]])};
     if (add_triangle(corner, mesh)) {
-      vertex.insert(vertex.end(), v, v + 3);
+      std::copy(v, v + 3, &surface.vertex[3 * size_t(kept)]);
+      surface.given[kept++] = surface.given[t];
     } else if (flat++ == 0) {
-      first_flat = t;
+      first_flat = surface.given[t];
     }
   }
-  if (mesh.triangles == 0) {
-    throw InvalidInput(
-        text("the collider mesh has %u triangles and none has an area (there is nothing to collide "
-             "with) give triangles of three different points",
-             given));
-  }
+  surface.vertex.resize(3 * size_t(kept));
+  surface.given.resize(kept);
   if (flat > 0) {
     mesh.diagnostics.push_back(
         {Severity::warning, first_flat,
          text("%u triangles have no area, the first is %u: they are left out", flat, first_flat)});
   }
-  return vertex;
+}
+
+void check_areas(const ColliderMeshDesc& desc, const Surface& surface) {
+  CookedColliderMesh one(std::pmr::new_delete_resource());
+  for (uint32_t t = 0; t < surface.triangles(); ++t) {
+    const uint32_t* v = &surface.vertex[3 * size_t(t)];
+    const Point corner[3] = {point(surface.positions[v[0]]), point(surface.positions[v[1]]),
+                             point(surface.positions[v[2]])};
+    if (add_triangle(corner, one)) return;
+  }
+  throw InvalidInput(
+      text("the collider mesh has %u triangles and none has an area (there is nothing to collide "
+           "with) give triangles of three different points",
+           desc.indices.count / 3));
 }
 
 }  // namespace
@@ -168,18 +177,19 @@ static void check_extent(const Vector<double3>& positions, double thickness) {
 void cook_collider_mesh(const ColliderMeshDesc& desc, CookedColliderMesh& mesh) {
   check_positive(desc.thickness, "thickness");
   check_indices(desc);
-  const Vector<double3> positions = scaled_positions(desc);
+  check_not_negative(desc.weld_distance, "weld_distance");
+  Vector<double3> positions = scaled_positions(desc);
   mesh.thickness = desc.thickness;
   mesh.closed = desc.closed;
-  const Vector<uint32_t> vertex = add_triangles(desc, positions, mesh);
-  check_extent(positions, desc.thickness);
-  if (desc.closed) {
-    const Vector<uint32_t> welded = weld(positions);
-    Vector<uint32_t> given(desc.indices.count);
-    for (uint32_t i = 0; i < desc.indices.count; ++i) given[i] = desc.indices[i];
-    check_closed(positions, welded, given);
-    set_sides(welded, vertex, mesh);
-  }
+  Vector<uint32_t> indices(desc.indices.count);
+  for (uint32_t i = 0; i < desc.indices.count; ++i) indices[i] = desc.indices[i];
+  Surface surface = make_surface(std::move(positions), indices, desc.weld_distance, desc.closed,
+                                 mesh.diagnostics);
+  check_areas(desc, surface);
+  check_extent(surface.positions, desc.thickness);
+  if (desc.closed) check_closed(surface);
+  add_triangles(surface, mesh);
+  if (desc.closed) set_sides(surface, mesh);
   build_grid(mesh);
 }
 

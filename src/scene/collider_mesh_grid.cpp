@@ -145,8 +145,7 @@ double GridBuilder::measure(const Vector<Candidate>& around, Point way, double d
 }
 
 /// The nearest candidates, one per round, take away what they dominate.
-void GridBuilder::drop_dominated(Vector<Candidate>& list, Point centre, Point half,
-                                 int rounds) {
+void GridBuilder::drop_dominated(Vector<Candidate>& list, Point centre, Point half, int rounds) {
   const auto before = [](const Candidate& a, const Candidate& b) {
     return a.distance != b.distance ? a.distance < b.distance : a.triangle < b.triangle;
   };

@@ -6,13 +6,14 @@
 
 namespace weft::scene {
 
-/// Calls use(i, j, stiffness, rest length); a rest length below 0 means that of the rest shape.
+/// Calls use(i, j, stiffness, rest length) for the springs from the vertices [first, end); a rest
+/// length below 0 means that of the rest shape.
 template <class Use>
-void each_spring(const CookedFabric& fabric, Use use) {
+void each_spring(const CookedFabric& fabric, uint32_t first, uint32_t end, Use use) {
   if (fabric.is_grid) {
     const CookedGrid& g = fabric.grid;
     const StencilTable& table = stencil_table(g.stencil);
-    for (uint32_t v = 0; v < fabric.vertices; ++v) {
+    for (uint32_t v = first; v < end; ++v) {
       const int64_t row = v / g.columns, column = v % g.columns;
       for (int k = table.count / 2; k < table.count; ++k) {
         const StencilOffset o = table.offset[k];
@@ -24,7 +25,7 @@ void each_spring(const CookedFabric& fabric, Use use) {
     return;
   }
   const SpringRows& rows = fabric.rows;
-  for (uint32_t v = 0; v < fabric.vertices; ++v) {
+  for (uint32_t v = first; v < end; ++v) {
     for (uint64_t e = rows.start[v]; e < rows.start[size_t(v) + 1]; ++e) {
       if (rows.neighbour[e] < v) continue;
       use(v, rows.neighbour[e],
@@ -32,6 +33,11 @@ void each_spring(const CookedFabric& fabric, Use use) {
           rows.rest.empty() ? fabric.rest_length : rows.rest[e]);
     }
   }
+}
+/// For all of them.
+template <class Use>
+void each_spring(const CookedFabric& fabric, Use use) {
+  each_spring(fabric, 0, fabric.vertices, use);
 }
 
 }  // namespace weft::scene

@@ -1,7 +1,6 @@
 // Energies and momentum of a cloth, in double on the host.
 #pragma once
 
-#include "base/host_memory.h"
 #include "scene/fabric.h"
 
 namespace weft::scene {
@@ -11,11 +10,11 @@ namespace weft::scene {
 /// momentum.
 struct EnergyInput {
   const CookedFabric& fabric;
-  const Vector<double3>& x;
-  const Vector<double3>& v;
+  View<double3> x;
+  View<double3> v;
   const Array<uint8_t>* pinned;  ///< null: none
   double3 gravity;
-  const Vector<double3>& rest_shape;  ///< posed as at the start; only differences count
+  View<double3> rest_shape;  ///< posed as at the start; only differences count
 };
 struct Energies {
   double kinetic = 0, elastic = 0, potential = 0;

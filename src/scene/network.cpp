@@ -8,29 +8,6 @@
 
 namespace weft::scene {
 
-namespace {
-
-void check_spring(const Spring& s, uint32_t index, uint32_t vertices) {
-  for (const uint32_t v : {s.a, s.b}) {
-    if (v >= vertices) {
-      throw InvalidInput(
-          text("spring %u names vertex %u (the network has %u) give an index below that", index, v,
-               vertices));
-    }
-  }
-  if (s.a == s.b) {
-    throw InvalidInput(
-        text("spring %u joins vertex %u to itself (a spring has two ends) remove it", index, s.a));
-  }
-  if (s.stiffness != -1)
-    check_not_negative(s.stiffness, text("springs[%u].stiffness", index).c_str());
-  if (s.rest_length != -1) {
-    check_not_negative(s.rest_length, text("springs[%u].rest_length", index).c_str());
-  }
-}
-
-}  // namespace
-
 void cook_network(const NetworkDesc& desc, CookedFabric& fabric) {
   check_positions(desc.positions, "positions");
   check_view(desc.springs, "springs");
@@ -43,7 +20,7 @@ void cook_network(const NetworkDesc& desc, CookedFabric& fabric) {
   all.reserve(desc.springs.count);
   for (uint32_t i = 0; i < desc.springs.count; ++i) {
     const Spring& s = desc.springs[i];
-    check_spring(s, i, desc.positions.count);
+    check_spring(s, i, desc.positions.count, "network");
     all.push_back({std::min(s.a, s.b), std::max(s.a, s.b), s.stiffness, s.rest_length});
   }
   Vector<uint32_t> order(all.size());

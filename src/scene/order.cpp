@@ -110,9 +110,10 @@ uint32_t order_rows(CookedFabric& fabric) {
   for (size_t first = 0; first < order.size(); first += window) {
     const size_t end = std::min(first + window, order.size());
     weft::stable_sort(order.begin() + static_cast<std::ptrdiff_t>(first),
-                     order.begin() + static_cast<std::ptrdiff_t>(end), [&](uint32_t a, uint32_t b) {
-                       return sliced_width(fabric.rows, a) > sliced_width(fabric.rows, b);
-                     });
+                      order.begin() + static_cast<std::ptrdiff_t>(end),
+                      [&](uint32_t a, uint32_t b) {
+                        return sliced_width(fabric.rows, a) > sliced_width(fabric.rows, b);
+                      });
   }
   fabric.storage_of.resize(fabric.vertices);
   for (uint32_t s = 0; s < fabric.vertices; ++s) fabric.storage_of[order[s]] = s;

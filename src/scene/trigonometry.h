@@ -7,7 +7,7 @@ namespace weft::scene {
 struct SineCosine {
   double sine, cosine;
 };
-/// Of an angle in radians; error below 2e-16 relative to 1 for |angle| < 1e6, exact at 0.
+/// Of any angle in radians; error below 3e-16, exact at 0. NaN of what is not finite.
 SineCosine sine_cosine(double radians);
 /// Of an angle in degrees; exact at multiples of 90.
 SineCosine sine_cosine_degrees(double degrees);

@@ -14,8 +14,10 @@ struct ClothCounts {
   int64_t particles;       ///< filled up to whole blocks
   int64_t grid_particles;  ///< of them in grids
   int64_t row_slices, row_entries;
+  int64_t hub_entries;    ///< of hubs, behind all slices: a slice ends where the next one begins
   int64_t own_stiffness;  ///< of the entries: in cloths whose springs differ
   int64_t scatter_slices, edges, incident;
+  int64_t hub_incident;  ///< the same of cloths that scatter
   int64_t hubs, hub_chunks;
   int64_t fan_slices, corners;  ///< of triangles: of all meshes, whether they gather or scatter
   int64_t pin_blocks, motions;  ///< the first motion is "none"

@@ -67,7 +67,7 @@ struct Edges {
     array(force, in_order ? n.edges : 0);
     array(damping, n.damped_edges && mode == Accumulation::native ? n.edges : 0);
     array(start, in_order && particles > 0 ? n.scatter_slices + 1 : 0);
-    array(incident, n.incident);
+    array(incident, n.incident + n.hub_incident);
     array.number(first_block, n.first_scatter_block);
     array.number(particle_blocks, n.scatter_slices);
     array.number(accumulation, mode);

@@ -19,7 +19,7 @@ struct ParticleBuffers {
 /// Everything that is equal for all particles of a cloth.
 template <class T>
 struct ClothParams {
-  int first;                   ///< element of its first particle
+  int first, end;              ///< elements of its particles
   int columns;                 ///< grids: elements from row to row
   T stiffness[12], rest[12];   ///< grids: by stencil neighbour; others: [0] when uniform
   T drag;                      ///< N s/m

@@ -5,8 +5,9 @@
 // order. Short rows are filled with the particle itself, which pulls nothing.
 //
 // A hub, a vertex of more than `hub_valence` springs, has an empty row. Its entries lie behind the
-// slices, also in ascending caller index, cut into chunks of 1024 that a block of 32 lanes sums as
-// kernels/reduce.h does: memory and time follow the number of springs, not the largest valence.
+// slices of all cloths, also in ascending caller index, cut into chunks of 1024 that a block of 32
+// lanes sums as kernels/reduce.h does: memory and time follow the number of springs, not the
+// largest valence.
 #pragma once
 
 #include "base/vec3.h"
@@ -25,9 +26,10 @@ struct SlicedRows {
   template <class Arrays>
   constexpr void arrays(Arrays& array, const Counts& n) {
     array(start, n.row_slices > 0 ? n.row_slices + 1 : 0);
-    array(neighbour, n.row_entries);
-    array(rest, n.row_entries);
-    array(stiffness, n.own_stiffness > 0 ? n.row_entries : 0);
+    const int64_t entries = n.row_entries + n.hub_entries;
+    array(neighbour, entries);
+    array(rest, entries);
+    array(stiffness, n.own_stiffness > 0 ? entries : 0);
     array.number(first_block, n.first_row_block);
   }
 };

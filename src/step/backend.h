@@ -37,6 +37,11 @@ class Backend {
   virtual Status start(Frame<double>&) const noexcept = 0;
   virtual Status accelerations(const Frame<float>&) const noexcept = 0;
   virtual Status accelerations(const Frame<double>&) const noexcept = 0;
+  /// A substep into `x` and `d`, which no state is kept in: the present stays as it is.
+  virtual Status probe(const Frame<float>&, Vec3Array<float> x,
+                       Vec3Array<float> d) const noexcept = 0;
+  virtual Status probe(const Frame<double>&, Vec3Array<double> x,
+                       Vec3Array<double> d) const noexcept = 0;
   /// What run_frame leaves behind, for state that no frame has made.
   virtual Status survey(const Frame<float>&) const noexcept = 0;
   virtual Status survey(const Frame<double>&) const noexcept = 0;

@@ -43,6 +43,14 @@ class BackendOf final : public Backend {
   Status accelerations(const Frame<double>& f) const noexcept override {
     return do_accelerations(f);
   }
+  Status probe(const Frame<float>& f, Vec3Array<float> x,
+               Vec3Array<float> d) const noexcept override {
+    return do_probe(f, x, d);
+  }
+  Status probe(const Frame<double>& f, Vec3Array<double> x,
+               Vec3Array<double> d) const noexcept override {
+    return do_probe(f, x, d);
+  }
   Status survey(const Frame<float>& f) const noexcept override { return do_survey(f); }
   Status survey(const Frame<double>& f) const noexcept override { return do_survey(f); }
   Status normals(const Frame<float>& f) const noexcept override { return do_normals(f); }
@@ -100,6 +108,12 @@ class BackendOf final : public Backend {
   static Status do_accelerations(const Frame<T>& f) {
     auto e = exec(f);
     run_accelerations(e, f);
+    return Device::finish();
+  }
+  template <class T>
+  static Status do_probe(const Frame<T>& f, Vec3Array<T> x, Vec3Array<T> d) {
+    auto e = exec(f);
+    run_probe(e, f, x, d);
     return Device::finish();
   }
   template <class T>

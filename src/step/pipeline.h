@@ -200,6 +200,21 @@ void run_accelerations(Exec& exec, const Frame<T>& frame) {
   });
 }
 
+/// The first substep of a frame, into memory of its own.
+template <class T, class Exec>
+void run_probe(Exec& exec, const Frame<T>& frame, Vec3Array<T> x, Vec3Array<T> d) {
+  ParticleBuffers<T> p = buffers(frame.sim, frame.position_form);
+  p.x_out = x;
+  p.d_out = d;
+  exec.frame([&](const auto& team) {
+    if (frame.by_block) {
+      team.for_each_block(frame.sim.blocks, ReachOfBlocks<T>{frame.sim, frame.sim.x[0]});
+      team.meet();
+    }
+    advance(team, frame.sim, p, step_params(frame, 0));
+  });
+}
+
 /// Vertices of one cloth into the caller's buffer.
 template <class T, class Exec>
 void run_write_vertices(Exec& exec, const VertexJob<T>& job) {

@@ -12,10 +12,9 @@ TEST(Ids, AreNotUsedTwiceInTwoHundredThousandLives) {
   for (int i = 0; i < 200000; ++i) {
     const weft::ColliderId id = test.take(test.world().create_sphere({}));
     ASSERT_TRUE(seen.insert({id.index, id.generation}).second) << i;
-    ASSERT_EQ(id.generation >> 16, seen.begin()->second >> 16) << "names another world";
     test.check(test.world().destroy_collider(id));
   }
-  EXPECT_LE(seen.rbegin()->first, 4u);  // slots: one for 65,535 lives
+  EXPECT_LE(seen.rbegin()->first, 4u);
 }
 
 TEST(Ids, TenThousandClothsComeAndGoWithoutGrowth) {

@@ -41,6 +41,14 @@ class FarBackend final : public Backend {
   Status accelerations(const Frame<double>& f) const noexcept override {
     return near_.accelerations(f);
   }
+  Status probe(const Frame<float>& f, Vec3Array<float> x,
+               Vec3Array<float> d) const noexcept override {
+    return near_.probe(f, x, d);
+  }
+  Status probe(const Frame<double>& f, Vec3Array<double> x,
+               Vec3Array<double> d) const noexcept override {
+    return near_.probe(f, x, d);
+  }
   Status survey(const Frame<float>& f) const noexcept override { return near_.survey(f); }
   Status survey(const Frame<double>& f) const noexcept override { return near_.survey(f); }
   Status normals(const Frame<float>& f) const noexcept override { return near_.normals(f); }

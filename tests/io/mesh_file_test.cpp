@@ -72,7 +72,7 @@ TEST(MeshFile, TakesNoMoreMemoryThanItMay) {
   EXPECT_EQ(read_obj(vertices, "m.obj", need).positions.size(), 4u);
   EXPECT_CONTAINS(input_error([&] { read_obj(vertices, "m.obj", need - 1); }),
                   "m.obj: line 1: the mesh does not fit from here on (reading may take ");
-  const std::string fan = vertices + "f 1 2 3 4\n";
+  const std::string fan = vertices + "f 1 2 4 3\n";
   EXPECT_EQ(read_obj(fan, "m.obj", 4096).triangles.size(), 6u);
   EXPECT_CONTAINS(input_error([&] { read_obj(fan, "m.obj", need + 30); }), "m.obj: line ");
   const std::string joined = vertices + "f 1 2 \\\n" + std::string(9000, ' ') + "3\n";
@@ -84,7 +84,8 @@ TEST(MeshFile, TakesNoMoreMemoryThanItMay) {
       "ply\nformat binary_little_endian 1.0\nelement vertex 100\nproperty char x\n"
       "property char y\nproperty char z\nelement face 1\n"
       "property list uchar uchar vertex_indices\nend_header\n" +
-      std::string(300, '\1') + "\4" + std::string("\0\1\2\3", 4);
+      std::string("\0\0\0\1\0\0\1\1\0\0\1\0", 12) + std::string(288, '\1') + "\4" +
+      std::string("\0\1\2\3", 4);
   EXPECT_EQ(read_ply(ply, "m.ply", 8192).triangles.size(), 6u);
   EXPECT_CONTAINS(input_error([&] { read_ply(ply, "m.ply", ply.size() + 2399); }),
                   "m.ply: vertex 0: the mesh does not fit from here on");

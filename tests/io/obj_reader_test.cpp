@@ -24,9 +24,11 @@ TEST(ObjReader, ReadsPositionsAndTriangles) {
   EXPECT_TRUE(mesh.warnings.empty());
 }
 
-TEST(ObjReader, FansPolygons) {
-  const Mesh mesh = read(triangle + "v 1 1 0\nv 2 2 0\nf 1 2 5 4 3\n");
-  EXPECT_EQ(mesh.triangles, (Indices{0, 1, 4, 0, 4, 3, 0, 3, 2}));
+TEST(ObjReader, FansConvexPolygonsFromTheirLowestVertex) {
+  const std::string five = triangle + "v 2 1 0\nv 1 2 0\n";
+  for (const char* face : {"f 1 2 4 5 3\n", "f 4 5 3 1 2\n", "f -3 -5 -4 -2 -1\n"}) {
+    EXPECT_EQ(read(five + face).triangles, (Indices{0, 1, 3, 0, 3, 4, 0, 4, 2})) << face;
+  }
 }
 
 TEST(ObjReader, AcceptsEveryFormOfCorner) {

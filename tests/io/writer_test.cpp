@@ -155,12 +155,18 @@ TEST(Report, HasTheKeysOfThePage) {
   report.asleep = 2;
   report.events.push_back({"non_finite", 0, 3, 0.5, "text"});
   const auto json = to_json(report);
-  for (const char* key :
-       {"backend",    "device",      "threads",     "isa",          "precision",
-        "evaluation", "particles",   "springs",     "frames",       "substeps_per_frame",
-        "dt",         "dt_bound",    "steps",       "wall_seconds", "ns_per_particle_step",
-        "phases",     "bytes_state", "bytes_total", "events",       "energy",
-        "momentum",   "state_hash",  "asleep"}) {
+  for (const char* key : {"backend",     "device",
+                          "threads",     "isa",
+                          "precision",   "evaluation",
+                          "particles",   "springs",
+                          "frames",      "substeps_per_frame",
+                          "dt",          "dt_bound",
+                          "steps",       "wall_seconds",
+                          "cpu_seconds", "ns_per_particle_step",
+                          "phases",      "bytes_state",
+                          "bytes_total", "events",
+                          "energy",      "momentum",
+                          "state_hash",  "asleep"}) {
     EXPECT_TRUE(json.contains(key)) << key;
   }
   EXPECT_TRUE(json["dt_bound"].is_null());

@@ -57,6 +57,7 @@ struct TwoBlocks {
     sim.presence = presence.data();
     sim.inverse_mass = w.data();
     sim.colliders.spheres = &sphere;
+    cloth.end = 64;
     sim.colliders.planes = &plane;
     sim.colliders.capsules = &capsule;
     sim.colliders.cylinders = &cylinder;

@@ -322,5 +322,69 @@ TEST(HubSum, IsTheSameBothWaysAroundEveryLimit) {
   }
 }
 
+/// Two hubs of 200 spokes each; one spoke in two belongs to the other's neighbourhood, so that both
+/// hubs are stored among the first vertices.
+NetworkParts two_hubs(Vec to_first, Vec to_second) {
+  NetworkParts parts;
+  parts.positions = {{0, 0, 0}, {0, 0, 0}};
+  parts.masses = {1};
+  for (uint32_t i = 0; i < 200; ++i) {
+    parts.positions.push_back(to_first);
+    parts.springs.push_back({0, uint32_t(parts.positions.size() - 1), 1, 0});
+    parts.positions.push_back(to_second);
+    parts.springs.push_back({1, uint32_t(parts.positions.size() - 1), 1, 0});
+  }
+  parts.springs.push_back({0, 1, 1, 0});
+  return parts;
+}
+
+TEST(HubSum, TwoHubsThatAreNeighboursAreBothPulledAndBothDamped) {
+  for (weft::Evaluation e : {weft::Evaluation::gather, weft::Evaluation::scatter}) {
+    weft::WorldDesc desc = plain_world(weft::Precision::float64);
+    desc.evaluation = e;
+    TestWorld test(desc);
+    const weft::ClothId id = add_network(test, two_hubs({1, 0, 0}, {0, 2, 0}));
+    const std::vector<Vec> a = test.accelerations(id);
+    expect_near(a[0], {200, 0, 0}, 1e-9);
+    expect_near(a[1], {0, 400, 0}, 1e-9);
+    // Damping alone, of spokes that fly outwards.
+    TestWorld damped(desc);
+    NetworkParts parts = two_hubs({1, 0, 0}, {0, 2, 0});
+    for (weft::Spring& s : parts.springs) s.stiffness = 0;
+    parts.velocities.assign(parts.positions.size(), Vec{});
+    for (size_t i = 2; i < parts.positions.size(); ++i)
+      parts.velocities[i] = 3 * parts.positions[i];
+    weft::ClothDesc cloth;
+    cloth.spring_damping = 0.5;
+    const std::vector<Vec> b = damped.accelerations(add_network(damped, parts, cloth));
+    // The start displacement is that of the velocities but for the damping itself.
+    damped.check(damped.world().prepare(1e-9));
+    expect_near(b[0], {200 * 0.5 * 3, 0, 0}, 1);
+    expect_near(b[1], {0, 200 * 0.5 * 6, 0}, 2);
+  }
+}
+
+TEST(HubSum, IsThatOfItsClothWhateverClothsComeBehind) {
+  for (weft::Evaluation e : {weft::Evaluation::gather, weft::Evaluation::scatter})
+    for (const uint32_t spokes : {129u, 300u, 2100u}) {
+      weft::WorldDesc desc = plain_world(weft::Precision::float32);
+      desc.evaluation = e;
+      desc.unsafe = true;
+      TestWorld alone(desc), among(desc);
+      const NetworkParts parts = hub_of(spokes);
+      weft::ClothDesc cloth;
+      cloth.spring_damping = 1e-3;
+      const weft::ClothId one = add_network(alone, parts, cloth);
+      add_network(among, hub_of(140), cloth);
+      const weft::ClothId middle = add_network(among, parts, cloth);
+      add_network(among, hub_of(333), cloth);
+      for (TestWorld* test : {&alone, &among}) test->step(1e-3, 5);
+      const std::vector<Vec> x = alone.positions(one, spokes + 1);
+      const std::vector<Vec> y = among.positions(middle, spokes + 1);
+      for (size_t i = 0; i < x.size(); ++i)
+        ASSERT_TRUE(same_bits(x[i], y[i])) << spokes << ' ' << i;
+    }
+}
+
 }  // namespace
 }  // namespace weft_tests::scatter

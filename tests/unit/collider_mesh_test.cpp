@@ -85,7 +85,7 @@ TEST(ColliderMesh, TrianglesWithoutAreaAreLeftOutAndReported) {
   EXPECT_EQ(cooked.triangles, 12u);
   ASSERT_EQ(cooked.diagnostics.size(), 1u);
   EXPECT_EQ(cooked.diagnostics[0].element, 12u);
-  expect_words(cooked.diagnostics[0].text, {"1 triangles", "12"});
+  expect_words(cooked.diagnostics[0].text.c_str(), {"1 triangles", "12"});
 }
 
 TEST(ColliderMesh, SplitVerticesCloseAMesh) {

@@ -132,7 +132,7 @@ TEST(Places, OfAClothAreTheCountsOfThoseBeforeIt) {
   mesh.motions = 2;
   world.cloths.push_back(mesh);
   world.cloths.push_back(mesh);
-  const std::vector<ClothCounts> places = places_of(world);
+  const auto places = places_of(world);
   ASSERT_EQ(places.size(), 4u);
   EXPECT_EQ(places[1].particles, 96);
   EXPECT_EQ(places[1].row_slices, 0);

@@ -36,6 +36,12 @@ struct FrameInput {
   Workers workers;
 };
 
+/// What a particle would do in a substep more.
+struct Probed {
+  double3 displacement;  ///< m
+  bool held;             ///< by a collider or, perhaps, by a tether
+};
+
 enum class StateArray : uint8_t { position, displacement, acceleration, normal };
 
 /// Where the vertices of a cloth go, and how.
@@ -65,6 +71,13 @@ class Arena {
   virtual Status frame(const ArenaInput&, const FrameInput&) = 0;
   /// `dt`: of the substep that the start of cloths that have not moved belongs to.
   virtual Status accelerations(const ArenaInput&, double dt, double dt_before, Workers) = 0;
+  /// The first substep of a frame that changes nothing; its colliders may be others of the same
+  /// shapes.
+  virtual Status probe(const ArenaInput&, const FrameInput&) = 0;
+  /// What the last probe found, of one cloth in caller order.
+  virtual Status read_probe(const ClothRecord&, Vector<Probed>& out) = 0;
+  /// Looks at some springs of every cloth that is awake (StretchWatch).
+  virtual Status watch_stretch(const ArenaInput&) = 0;
   virtual Status normals(const ArenaInput&, Workers) = 0;
   /// Of one cloth in caller order; positions are local. Accelerations and normals: after the call
   /// that makes them; both overwrite the other.

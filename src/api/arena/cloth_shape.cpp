@@ -59,6 +59,9 @@ plan::ClothShape shape_of(const ClothRecord& cloth, Accumulation accumulation, b
     shape.row_entries = 0;
     return shape;
   }
+  if (!fabric.hubs.empty()) {
+    shape.hub_entries = fabric.row_entries - static_cast<int64_t>(fabric.slice_start.back());
+  }
   shape.hubs = static_cast<uint32_t>(fabric.hubs.size());
   for (const scene::HubRow& hub : fabric.hubs) {
     shape.hub_springs += hub.count;

@@ -161,6 +161,7 @@ void fill_params(const ArenaInput& in, Vector<ClothParams<T>>& out) {
     const ClothRecord& cloth = *in.cloths[c];
     ClothParams<T> p{};
     p.first = cloth.first();
+    p.end = p.first + static_cast<int>(cloth.cooked().vertices);
     if (cloth.cooked().is_grid) {
       fill_grid_constants(cloth.cooked(), p);
     } else {

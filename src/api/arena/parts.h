@@ -13,6 +13,8 @@
 // and says with ClothRecord::parts_changed that its entries are to be written again.
 #pragma once
 
+#include <stdexcept>
+
 #include "api/arena/forces.h"
 #include "api/arena/tethers.h"
 #include "base/host_memory.h"
@@ -82,6 +84,13 @@ struct Piece {
   char* at;
   size_t bytes;
 };
+struct Pieces {
+  static constexpr int most = 16;
+  Piece at[most];
+  int count = 0;
+  const Piece* begin() const { return at; }
+  const Piece* end() const { return at + count; }
+};
 class PieceFinder {
  public:
   PieceFinder(int64_t first, int64_t count, int vector_stride)
@@ -101,20 +110,21 @@ class PieceFinder {
       add(view.data + c * view.pitch, first_ * bytes, count_ * bytes);
     }
   }
-  const Vector<Piece>& pieces() const { return pieces_; }
+  const Pieces& pieces() const { return pieces_; }
 
  private:
   void add(const void* array, size_t from, size_t bytes) {
-    pieces_.push_back({static_cast<char*>(const_cast<void*>(array)) + from, bytes});
+    if (pieces_.count == Pieces::most) throw std::length_error("a part of too many arrays");
+    pieces_.at[pieces_.count++] = {static_cast<char*>(const_cast<void*>(array)) + from, bytes};
   }
 
   size_t first_, count_;  // blocks
   size_t stride_;
-  Vector<Piece> pieces_;
+  Pieces pieces_;
 };
 template <class ThePart, class T>
-Vector<Piece> pieces_of(ThePart part, Simulation<T>& sim, int64_t first, int64_t count,
-                        int vector_stride) {
+Pieces pieces_of(ThePart part, Simulation<T>& sim, int64_t first, int64_t count,
+                 int vector_stride) {
   PieceFinder finder(first, count, vector_stride);
   part.arrays(sim).arrays(finder, counts_with(part.part, block_size));
   return finder.pieces();

@@ -47,11 +47,11 @@ void fill_grid_constants(const scene::CookedFabric& fabric, ClothParams<T>& p) {
 }
 
 template <class T>
-SpringFiller<T>::SpringFiller(const ArenaInput& in, Simulation<T>& image) : image_(image) {
-  const Counts counts = plan::counts_of(in.shape);
+SpringFiller<T>::SpringFiller(const ArenaInput& in, Simulation<T>& image)
+    : image_(image), counts_(plan::counts_of(in.shape)) {
   if (image.hubs.of_block) {
-    std::fill_n(writable(image.hubs.of_block), counts.particles / block_size,
-                static_cast<int32_t>(counts.hubs));
+    std::fill_n(writable(image.hubs.of_block), counts_.particles / block_size,
+                static_cast<int32_t>(counts_.hubs));
   }
   if (image.edges.overflow) *image.edges.overflow = no_overflow;
 }
@@ -108,6 +108,8 @@ void SpringFiller<T>::fill_rows(const ClothRecord& cloth) {
   int32_t* neighbour = writable(image_.rows.neighbour);
   const int slices = slices_of(cloth);
   for (int s = 0; s <= slices; ++s) start[s] = entry + fabric.slice_start[size_t(s)];
+  const int64_t hubs_at =
+      counts_.row_entries + cloth.place.hub_entries - fabric.slice_start[size_t(slices)];
   size_t hub = 0;
   for (int self = 0; self < slices * block_size; ++self) {
     const int slice = self / block_size;
@@ -115,7 +117,7 @@ void SpringFiller<T>::fill_rows(const ClothRecord& cloth) {
     if (hub < fabric.hubs.size() && int(fabric.hubs[hub].storage) == self) {
       for (; e < end; e += stride) neighbour[e] = cloth.first() + self;  // its row in the slice
       const scene::HubRow& row = fabric.hubs[hub++];
-      e = entry + row.first;
+      e = hubs_at + row.first;
       stride = 1;
       end = e + (int64_t(row.count) + block_size - 1) / block_size * block_size;
     }
@@ -127,18 +129,18 @@ void SpringFiller<T>::fill_rows(const ClothRecord& cloth) {
     }
     for (; e < end; e += stride) neighbour[e] = cloth.first() + self;
   }
-  fill_hubs(cloth, entry);
+  fill_hubs(cloth, hubs_at);
 }
 
 template <class T>
-void SpringFiller<T>::fill_hubs(const ClothRecord& cloth, int64_t first_entry) {
+void SpringFiller<T>::fill_hubs(const ClothRecord& cloth, int64_t at) {
   auto next_hub = static_cast<int32_t>(cloth.place.hubs);
   auto next_chunk = static_cast<int32_t>(cloth.place.hub_chunks);
   for (const scene::HubRow& row : cloth.cooked().hubs) {
     const int32_t particle = cloth.first() + static_cast<int32_t>(row.storage);
     int32_t& of_block = writable(image_.hubs.of_block)[particle / block_size];
     of_block = std::min(of_block, next_hub);
-    const int64_t first = first_entry + row.first;
+    const int64_t first = at + row.first;
     const int64_t end = first + (int64_t(row.count) + block_size - 1) / block_size * block_size;
     Hub& hub = writable(image_.hubs.hub)[next_hub++];
     hub = {particle, next_chunk, next_chunk};
@@ -182,13 +184,17 @@ void SpringFiller<T>::fill_incident(const ClothRecord& cloth, const scene::Edges
   const int64_t first = cloth.place.incident;
   int64_t* start = writable(image_.edges.start) + cloth.place.scatter_slices;
   for (int s = 0; s <= slices; ++s) start[s] = first + table.slice_start[size_t(s)];
-  int32_t* incident = writable(image_.edges.incident) + first;
+  int32_t* incident = writable(image_.edges.incident);
+  const int64_t sliced = table.slice_start[size_t(slices)];
+  const int64_t hubs_at = counts_.incident + cloth.place.hub_incident - sliced;
   const auto shift = static_cast<int32_t>(cloth.place.edges);
   for (size_t e = 0; e < table.incident.size(); ++e) {
     const int32_t i = table.incident[e];
-    incident[e] = i < 0 ? i - shift : i + shift;
+    const int64_t at =
+        static_cast<int64_t>(e) + (static_cast<int64_t>(e) < sliced ? first : hubs_at);
+    incident[at] = i < 0 ? i - shift : i + shift;
   }
-  fill_hubs(cloth, first);
+  fill_hubs(cloth, hubs_at);
 }
 
 template void fill_grid_constants(const scene::CookedFabric&, ClothParams<float>&);

@@ -22,13 +22,15 @@ class SpringFiller {
  private:
   void fill_rows(const ClothRecord&);
   void fill_entry(const ClothRecord&, int64_t e, uint32_t v, uint64_t k);
-  void fill_hubs(const ClothRecord&, int64_t first_entry);
+  /// `at`: where the entry 0 of its fabric would be for the entries of hubs.
+  void fill_hubs(const ClothRecord&, int64_t at);
   void fill_edges(const ClothRecord&);
   void fill_incident(const ClothRecord&, const scene::Edges&);
   T rest_of(const ClothRecord&, uint32_t v, uint64_t k) const;
   T stiffness_of(const ClothRecord&, uint64_t k) const;
 
   Simulation<T>& image_;
+  Counts counts_;
   Vector<Vec3<T>> rest_shape_;  ///< of the present cloth
 };
 

@@ -1,4 +1,6 @@
 // weft.h, call by call: pointers are checked, values are handed to the C++ interface.
+#include <cstddef>
+#include <cstdlib>
 #include <new>
 
 #include "api/c/c_types.h"
@@ -6,13 +8,29 @@
 using namespace weft;  // NOLINT: this file is nothing but calls of it
 using api::number;
 
+/// An object of weft.h in the caller's memory, or none.
+template <class Object, class... Values>
+static Object* make_in(const weft_allocator& allocator, Values&&... values) {
+  void* at = allocator.allocate
+                 ? allocator.allocate(allocator.user, sizeof(Object), alignof(std::max_align_t))
+                 : std::malloc(sizeof(Object));
+  return at ? new (at) Object{static_cast<Values&&>(values)...} : nullptr;
+}
+template <class Object>
+static void destroy_in(const weft_allocator& allocator, Object* object) {
+  object->~Object();
+  if (allocator.deallocate) return allocator.deallocate(allocator.user, object, sizeof(Object));
+  std::free(object);
+}
+
 /// A new object of weft.h that holds what was made.
 template <class Holder, class Made>
 static weft_status hand_over(weft_context* owner, Result<Made> made, Holder** out) {
   if (!made) return number(made.status());
-  Holder* holder = new (std::nothrow) Holder{static_cast<Made&&>(*made), owner};
+  Holder* holder = make_in<Holder>(owner->allocator, static_cast<Made&&>(*made), owner);
   if (!holder) return number(Status::out_of_memory);
   ++owner->references;
+  owner->bytes += sizeof(Holder);
   *out = holder;
   return WEFT_OK;
 }
@@ -20,7 +38,8 @@ template <class Holder>
 static void take_back(Holder* holder) {
   if (!holder) return;
   weft_context* owner = holder->owner;
-  delete holder;
+  destroy_in(owner->allocator, holder);
+  owner->bytes -= sizeof(Holder);
   weft_context_release(owner);
 }
 
@@ -34,14 +53,20 @@ weft_grid_desc weft_default_grid(void) {
       d.rows, d.columns, d.width, d.height, static_cast<uint8_t>(d.stencil), api::to_c(d.material)};
 }
 weft_mesh_desc weft_default_mesh(void) {
-  return {{nullptr, 0, sizeof(double3), true}, {nullptr, 0, 4}, false, api::to_c(Material{}), 0};
+  return {{nullptr, 0, sizeof(float3), false}, {nullptr, 0, 4}, false, api::to_c(Material{}), 0,
+          {nullptr, 0, sizeof(Spring)}};
 }
 weft_network_desc weft_default_network(void) {
-  return {{nullptr, 0, sizeof(double3), true}, {nullptr, 0, sizeof(Spring)}, api::to_c(Material{})};
+  return {{nullptr, 0, sizeof(float3), false}, {nullptr, 0, sizeof(Spring)}, api::to_c(Material{})};
 }
 weft_collider_mesh_desc weft_default_collider_mesh(void) {
   const ColliderMeshDesc d;
-  return {{nullptr, 0, sizeof(double3), true}, {nullptr, 0, 4}, d.scale, d.thickness, d.closed};
+  return {{nullptr, 0, sizeof(float3), false},
+          {nullptr, 0, 4},
+          d.scale,
+          d.thickness,
+          d.closed,
+          d.weld_distance};
 }
 weft_world_desc weft_default_world(void) {
   const WorldDesc d;
@@ -67,7 +92,7 @@ weft_cloth_desc weft_default_cloth(void) {
   const ClothDesc d;
   weft_cloth_desc out{};
   out.pose = weft_default_pose();
-  out.positions = {nullptr, 0, sizeof(double3), true};
+  out.positions = {nullptr, 0, sizeof(float3), false};
   out.velocities = {nullptr, 0, sizeof(double3)};
   out.pins = {nullptr, 0, sizeof(Pin)};
   out.motions = {nullptr, 0, sizeof(PinMotion)};
@@ -99,6 +124,7 @@ weft_box_desc weft_default_box(void) {
 weft_mesh_collider_desc weft_default_mesh_collider(void) {
   return {nullptr, weft_default_pose(), {0, 0, 0}, 0};
 }
+weft_output_desc weft_default_output(void) { return {}; }
 weft_wind_desc weft_default_wind(void) {
   const WindDesc d;
   return {api::to_c(d.velocity), d.air_density, d.normal, d.tangential};
@@ -113,8 +139,11 @@ static void say_in_c(void* user, Severity severity, const char* text) {
 weft_status weft_context_create(const weft_context_desc* desc, uint32_t abi, weft_context** out) {
   static_assert(WEFT_C_ABI == WEFT_ABI);
   if (!out) return WEFT_INVALID_ARGUMENT;
-  auto* made = new (std::nothrow) weft_context;
+  weft_allocator memory{};
+  if (desc && desc->allocator.allocate && desc->allocator.deallocate) memory = desc->allocator;
+  auto* made = make_in<weft_context>(memory);
   if (!made) return number(Status::out_of_memory);
+  made->allocator = memory;
   ContextDesc cpp = desc ? api::from_c(*desc) : ContextDesc{};
   if (desc && desc->log.message) {
     made->log = desc->log;
@@ -122,7 +151,7 @@ weft_status weft_context_create(const weft_context_desc* desc, uint32_t abi, wef
   }
   auto context = Context::create(cpp, abi);
   if (!context) {
-    delete made;
+    destroy_in(memory, made);
     return number(context.status());
   }
   made->context = static_cast<Context&&>(*context);
@@ -130,14 +159,18 @@ weft_status weft_context_create(const weft_context_desc* desc, uint32_t abi, wef
   return WEFT_OK;
 }
 void weft_context_release(weft_context* c) {
-  if (c && --c->references == 0) delete c;
+  if (!c || --c->references > 0) return;
+  const weft_allocator memory = c->allocator;
+  destroy_in(memory, c);
 }
 weft_context_info weft_context_describe(const weft_context* c) {
   if (!c) return {"", "", "", 0, nullptr};
   const ContextInfo info = c->context.info();
   return {info.backend, info.device, info.isa, info.threads, info.fallback};
 }
-uint64_t weft_context_bytes(const weft_context* c) { return c ? c->context.bytes_allocated() : 0; }
+uint64_t weft_context_bytes(const weft_context* c) {
+  return c ? c->context.bytes_allocated() + c->bytes : 0;
+}
 
 template <class Desc, class Holder>
 static weft_status cook(weft_context* c, const Desc* desc, Holder** out) {

@@ -51,15 +51,16 @@ GridDesc from_c(const weft_grid_desc& d) {
   return out;
 }
 MeshDesc from_c(const weft_mesh_desc& d) {
+  static_assert(sizeof(Spring) == sizeof(weft_spring));
   return {from_c(d.positions), from_c<uint32_t>(d.indices), d.bend, from_c(d.material),
-          d.weld_distance};
+          d.weld_distance,     from_c<Spring>(d.springs)};
 }
 NetworkDesc from_c(const weft_network_desc& d) {
-  static_assert(sizeof(Spring) == sizeof(weft_spring));
   return {from_c(d.positions), from_c<Spring>(d.springs), from_c(d.material)};
 }
 ColliderMeshDesc from_c(const weft_collider_mesh_desc& d) {
-  return {from_c(d.positions), from_c<uint32_t>(d.indices), d.scale, d.thickness, d.closed};
+  return {from_c(d.positions), from_c<uint32_t>(d.indices), d.scale, d.thickness, d.closed,
+          d.weld_distance};
 }
 
 WorldDesc from_c(const weft_world_desc& d) {

@@ -58,8 +58,10 @@ OutputDesc from_c(const weft_output_desc&);
 // to its log.
 struct weft_context {
   weft::Context context;
-  weft_log log{};  ///< the caller's: its severity is a number
+  weft_log log{};              ///< the caller's: its severity is a number
+  weft_allocator allocator{};  ///< the caller's, or none
   std::atomic<uint32_t> references{1};
+  std::atomic<uint64_t> bytes{0};  ///< of the objects of weft.h that it owns
 };
 struct weft_fabric {
   weft::Fabric fabric;

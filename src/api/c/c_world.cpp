@@ -263,9 +263,9 @@ weft_event weft_event_at(const weft_world* w, uint32_t index) {
 weft_stats weft_world_stats(const weft_world* w) {
   if (!w) return {};
   const Stats s = w->world.stats();
-  return {s.particles,     s.springs,     s.frames,     s.steps,        s.substeps_last,
-          s.substeps_most, s.dt_last,     s.dt_least,   s.step_seconds, s.time_dropped,
-          s.threads,       s.bytes_state, s.bytes_total};
+  return {s.particles,     s.springs, s.frames,      s.steps,        s.substeps_last,
+          s.substeps_most, s.dt_last, s.dt_least,    s.step_seconds, s.cpu_seconds,
+          s.time_dropped,  s.threads, s.bytes_state, s.bytes_total};
 }
 double weft_time(const weft_world* w) { return w ? w->world.time() : 0; }
 
@@ -274,6 +274,14 @@ weft_status weft_read_positions(weft_world* w, weft_cloth_id id, weft_double3* o
                                 uint32_t stride) {
   return on(w, [&](World& world) {
     return world.read_positions(api::id_from_c<ClothId>(id), reinterpret_cast<double3*>(out),
+                                stride);
+  });
+}
+static_assert(sizeof(float3) == sizeof(weft_float3));
+weft_status weft_read_positions_float(weft_world* w, weft_cloth_id id, weft_float3* out,
+                                      uint32_t stride) {
+  return on(w, [&](World& world) {
+    return world.read_positions(api::id_from_c<ClothId>(id), reinterpret_cast<float3*>(out),
                                 stride);
   });
 }
@@ -290,6 +298,12 @@ weft_status weft_read_accelerations(weft_world* w, weft_cloth_id id, weft_double
 weft_status weft_read_normals(weft_world* w, weft_cloth_id id, weft_double3* out, uint32_t stride) {
   return on(w, [&](World& world) {
     return world.read_normals(api::id_from_c<ClothId>(id), reinterpret_cast<double3*>(out), stride);
+  });
+}
+weft_status weft_read_normals_float(weft_world* w, weft_cloth_id id, weft_float3* out,
+                                    uint32_t stride) {
+  return on(w, [&](World& world) {
+    return world.read_normals(api::id_from_c<ClothId>(id), reinterpret_cast<float3*>(out), stride);
   });
 }
 weft_status weft_read_mechanics(weft_world* w, weft_mechanics* out) {

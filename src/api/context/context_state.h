@@ -40,7 +40,11 @@ class AskScope {
 
 struct ContextState {
   explicit ContextState(const ContextDesc& desc)
-      : memory(desc.allocator), log(desc.log), jobs(desc.jobs), profiler(desc.profiler) {}
+      : uncounted(desc.allocator),
+        memory(desc.allocator),
+        log(desc.log),
+        jobs(desc.jobs),
+        profiler(desc.profiler) {}
 
   Workers workers() const noexcept {
     return {static_cast<int>(threads), jobs.parallel_for ? &jobs : nullptr};
@@ -66,6 +70,7 @@ struct ContextState {
     return status;
   }
 
+  UncountedMemory uncounted;  ///< for Context::Impl, which does not count
   ContextMemory memory;
   Log log;
   Jobs jobs;

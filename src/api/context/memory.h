@@ -39,6 +39,20 @@ struct UncountedAllocator {
   Allocator of;
 };
 
+class UncountedMemory final : public std::pmr::memory_resource {
+ public:
+  explicit UncountedMemory(const Allocator& user) : memory_(user) {}
+
+ private:
+  void* do_allocate(size_t bytes, size_t) override { return memory_.allocate(bytes); }
+  void do_deallocate(void* at, size_t bytes, size_t) override {
+    memory_.deallocate(static_cast<char*>(at), bytes);
+  }
+  bool do_is_equal(const memory_resource& other) const noexcept override { return this == &other; }
+
+  UncountedAllocator<char> memory_;
+};
+
 class ContextMemory final : public std::pmr::memory_resource {
  public:
   explicit ContextMemory(const Allocator& user) : user_(user) {}

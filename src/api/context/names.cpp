@@ -98,6 +98,10 @@ const char* to_string(EventType type) noexcept {
       return "time_dropped";
     case EventType::force_overflow:
       return "force_overflow";
+    case EventType::large_stretch:
+      return "large_stretch";
+    case EventType::large_energy:
+      return "large_energy";
   }
   return "unknown";
 }
@@ -110,11 +114,11 @@ const char* to_string(EventType type) noexcept {
 
 const char* build_info() noexcept {
   static const Text info = text("%d.%d.%d omp%s " WEFT_COMPILER, WEFT_VERSION_MAJOR,
-                                       WEFT_VERSION_MINOR, WEFT_VERSION_PATCH,
+                                WEFT_VERSION_MINOR, WEFT_VERSION_PATCH,
 #ifdef WEFT_HAVE_CUDA
-                                       " cuda"
+                                " cuda"
 #else
-                                       ""
+                                ""
 #endif
   );
   return info.c_str();

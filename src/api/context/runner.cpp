@@ -1,6 +1,6 @@
 #include "api/context/runner.h"
 
-#include <exception>
+#include <system_error>
 
 namespace weft::api {
 
@@ -14,14 +14,16 @@ Runner::~Runner() {
   thread_.join();
 }
 
-bool Runner::start(void (*function)(void*), void* argument) noexcept {
-  if (!thread_.joinable()) {
-    try {
-      thread_ = std::thread([this] { loop(); });
-    } catch (const std::exception&) {  // no thread, or no memory for one
-      return false;
-    }
+void Runner::make() {
+  if (thread_.joinable()) return;
+  try {
+    thread_ = std::thread([this] { loop(); });
+  } catch (const std::system_error&) {  // the system has no more threads
   }
+}
+
+bool Runner::start(void (*function)(void*), void* argument) noexcept {
+  if (!thread_.joinable()) return false;
   {
     const std::lock_guard lock(mutex_);
     function_ = function;

@@ -1,4 +1,4 @@
-// A thread that runs one function at a time for World::begin_step. It starts with the first.
+// A thread that runs one function at a time for World::begin_step. It is made for the first.
 #pragma once
 
 #include <condition_variable>
@@ -14,7 +14,9 @@ class Runner {
   Runner(const Runner&) = delete;
   Runner& operator=(const Runner&) = delete;
 
-  /// False: no thread can be made, and nothing happens. The function before must have ended.
+  /// Makes the thread, if there is one to be had. Throws std::bad_alloc.
+  void make();
+  /// False: there is no thread, and nothing happens. The function before must have ended.
   bool start(void (*function)(void*), void* argument) noexcept;
 
  private:

@@ -27,8 +27,8 @@ void Teller::tell(const Log& log, Severity severity, const Text& message) noexce
   const uint64_t count = count_of(message);
   if (count <= always_told) return log.message(log.user, severity, message.c_str());
   if ((count & (count - 1)) != 0) return;
-  const Text again = text("%s [said %llu times]", message.c_str(),
-                          static_cast<unsigned long long>(count));
+  const Text again =
+      text("%s [said %llu times]", message.c_str(), static_cast<unsigned long long>(count));
   log.message(log.user, severity, again.c_str());
 }
 

@@ -163,12 +163,12 @@ Spread spread_of(const ClothRecord& cloth, double double3::*axis) {
   }
   const auto [low, high] = std::minmax_element(at.begin(), at.end());
   const double half = (*high - *low) / 2, middle = (*high + *low) / 2;
-  if (corners_do) return {middle, half};
+  if (corners_do || vertices < 3) return {middle, half};
   // Strays must not take the precision of the others: most are within `near` of the median.
   std::nth_element(at.begin(), at.begin() + ptrdiff_t(at.size() / 2), at.end());
   const double median = at[at.size() / 2];
   for (double& a : at) a = std::fabs(a - median);
-  const auto most = at.begin() + ptrdiff_t(at.size() - 1 - at.size() / 10);
+  const auto most = at.begin() + ptrdiff_t(at.size() - 1 - std::max<size_t>(1, at.size() / 10));
   std::nth_element(at.begin(), most, at.end());
   const double near = *most;
   return half <= 4 * near ? Spread{middle, half} : Spread{median, 2 * near};

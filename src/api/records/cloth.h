@@ -7,7 +7,7 @@
 #include "api/records/way.h"
 #include "base/host_memory.h"
 #include "plan/shape.h"
-#include "scene/fabric.h"
+#include "scene/stretch.h"
 #include "weft/world.hpp"
 
 namespace weft::api {
@@ -21,6 +21,18 @@ struct PinRecord {
   double3 target{0, 0, 0};
   Way<double3> way;  ///< where move_pins leads it
 };
+
+/// What is known of how far a cloth's springs are stretched: a few are looked at after every frame.
+struct StretchWatch {
+  uint64_t next = 0;     ///< item to go on with; 0: a look at all begins
+  double hair = -1;      ///< m: shorter rest lengths do not count; below 0: not known yet
+  scene::Stretches now;  ///< of what was looked at after the last frame
+  double longer_squares = 0, rest_squares = 0;  ///< m^2, so far in this look at all
+  bool beyond = false;  ///< in this look at all some spring was beyond the limit
+  bool told_stretch = false, told_energy = false;
+};
+/// Largest (l - l0)/l0, and root mean square of it, that no event tells of.
+constexpr double large_stretch = 10, large_mean_stretch = 2;
 
 struct ClothRecord : ClothSettings, HostObject {
   explicit ClothRecord(std::pmr::memory_resource* memory)
@@ -47,8 +59,8 @@ struct ClothRecord : ClothSettings, HostObject {
   /// Whole metres; device positions are relative to it. It follows the cloth between frames, where
   /// that rounds nothing.
   double3 origin{0, 0, 0};
-  double extent = 0;          ///< m: from the middle to most of the particles at the start
-  double3 middle{0, 0, 0};    ///< local, of the last survey: the median of a sample
+  double extent = 0;        ///< m: from the middle to most of the particles at the start
+  double3 middle{0, 0, 0};  ///< local, of the last survey: the median of a sample
 
   double3 velocity{0, 0, 0};
   uint64_t user_data = 0;
@@ -73,7 +85,10 @@ struct ClothRecord : ClothSettings, HostObject {
   double furthest = 0;                  ///< m: longest way of a particle in the last substep
   bool broken = false;                  ///< a position is not finite
 
+  StretchWatch stretch;
+
   uint32_t parts_changed = 0;  ///< bit k: the device's entries of Part k are out of date
+  bool buried = false;         ///< destroyed, but still in the arena
   bool moved = false;          ///< a step has been made: the device holds its state
   ClothCounts place{};         ///< where its elements begin in the arrays of the device
   // State while the device memory is being remade: local, storage order, as the form keeps it.

@@ -172,16 +172,17 @@ double float_ulp(double coordinate) {
 }
 
 struct SizeCheck {
-  const char* name;
+  const char* view;
+  uint32_t index;
   double coordinate;
 
   void operator()(double size, double was, const char* what) const {
     const double most = std::max(1e-4 * was, 4 * float_ulp(coordinate));
     if (std::fabs(size - was) <= most) return;
     throw InvalidInput(
-        text("%s: the %s is %g m (it was %g m: a collider moves, it does not grow) "
+        text("%s[%u]: the %s is %g m (it was %g m: a collider moves, it does not grow) "
              "keep it, set may_stretch, or create the set anew",
-             name, what, size, was));
+             view, index, what, size, was));
   }
 };
 
@@ -214,8 +215,9 @@ Placed hinged(const ColliderRecord& c, const Placed& from, const ColliderRecord&
 
 }  // namespace
 
-void check_sizes(const ColliderRecord& c, const ColliderRecord& other, const char* name) {
-  const SizeCheck check{name, std::max(c.coordinate, other.coordinate)};
+void check_sizes(const ColliderRecord& c, const ColliderRecord& other, const char* view,
+                 uint32_t index) {
+  const SizeCheck check{view, index, std::max(c.coordinate, other.coordinate)};
   const bool round = c.shape == ColliderShape::sphere || c.shape == ColliderShape::capsule ||
                      c.shape == ColliderShape::cylinder;
   if (round) check(other.size, c.size, "radius");

@@ -40,6 +40,8 @@ struct ColliderRecord {
   Placed target;              ///< at the end of the next step, if `gliding`
   bool gliding = false;
   Way<Placed> way;        ///< where moves lead it
+  Placed was;             ///< before the last step, if it glided in it
+  bool went = false;      ///< it did
   bool can_turn = false;  ///< was ever turned by a move: it needs a column of the turns
 };
 
@@ -81,8 +83,9 @@ bool comes_into(const double3& low, const double3& high, const double3& origin,
 /// turn. What is within the rounding of its coordinates is no turn.
 Placed motion_to(const ColliderRecord&, const Placed& from, const ColliderRecord& other);
 /// Throws InvalidInput where the sizes are others, by more than 1e-4 of them and four units in the
-/// last place of the coordinates in float; `name` says whose they are.
-void check_sizes(const ColliderRecord&, const ColliderRecord& other, const char* name);
+/// last place of the coordinates in float; `view` and `index` say whose they are.
+void check_sizes(const ColliderRecord&, const ColliderRecord& other, const char* view,
+                 uint32_t index);
 bool same_sizes(const ColliderRecord&, const ColliderRecord& other);
 /// Takes the sizes of another description of the same shape.
 void take_sizes(ColliderRecord&, const ColliderRecord& other);

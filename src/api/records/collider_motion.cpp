@@ -152,6 +152,19 @@ Placed turned_further(const Placed& turn, const Placed& from) {
   return both;
 }
 
+Placed continued(const Placed& from, const Placed& to) {
+  const auto [w, x, y, z] = from.rotation;
+  Placed back;
+  back.rotation = {w, -x, -y, -z};
+  rows_of(back.rotation, back.rows);
+  const Placed turn = after(to, back);  // the translation has no meaning
+  Placed on = to;
+  on.rotation = blend(after(turn, to).rotation, 1, {0, 0, 0, 0}, 0);
+  rows_of(on.rotation, on.rows);
+  on.translate = plus(to.translate, minus(to.translate, from.translate));
+  return on;
+}
+
 double3 rotate(const double3* rows, const double3& v) {
   return {inner(rows[0], v), inner(rows[1], v), inner(rows[2], v)};
 }
@@ -187,16 +200,36 @@ double half_turn_cosine(const Placed& begin, const Placed& end) {
   return std::min(1.0, std::fabs(of_both(begin.rotation, end.rotation)));
 }
 
-TurnInParts::TurnInParts(const Placed& begin, const Placed& end, int parts)
-    : part_(part_of(turn_of(begin, end), 1.0 / parts)), left_(parts) {
-  // end * transpose(begin)
-  for (int r = 0; r < 3; ++r) last_[r] = rotate(begin.rows, end.rows[r]);
+TurnInParts::TurnInParts(const Placed& begin, const Placed& end, int parts) : left_(parts) {
+  const Quaternion q = part_of(turn_of(begin, end), 1.0 / parts);
+  const double s2 = q.x * q.x + q.y * q.y + q.z * q.z, s = std::sqrt(s2);
+  const double3 k = s > 0 ? times(1 / s, {q.x, q.y, q.z}) : double3{0, 0, 1};
+  part_cos_ = 1 - 2 * s2;
+  part_sin_ = 2 * s * q.w;
+  const double axis[3] = {k.x, k.y, k.z};
+  for (int r = 0; r < 3; ++r) {
+    along_[r] = times(axis[r], k);
+    across_[r] = times(-1, along_[r]);
+    last_[r] = rotate(begin.rows, end.rows[r]);  // end * transpose(begin)
+  }
+  across_[0].x += 1;
+  across_[1].y += 1;
+  across_[2].z += 1;
+  beside_[0] = {0, -k.z, k.y};
+  beside_[1] = {k.z, 0, -k.x};
+  beside_[2] = {-k.y, k.x, 0};
 }
 
 void TurnInParts::next(double3* rows) {
   if (--left_ > 0) {
-    now_ = blend(product(part_, now_), 1, {0, 0, 0, 0}, 0);
-    return rows_of(now_, rows);
+    const double c = cos_ * part_cos_ - sin_ * part_sin_, s = cos_ * part_sin_ + sin_ * part_cos_;
+    const double unit = 1.5 - 0.5 * (c * c + s * s);  // one step of Newton's towards |(c, s)| = 1
+    cos_ = unit * c;
+    sin_ = unit * s;
+    for (int r = 0; r < 3; ++r) {
+      rows[r] = plus(along_[r], plus(times(cos_, across_[r]), times(sin_, beside_[r])));
+    }
+    return;
   }
   for (int r = 0; r < 3; ++r) rows[r] = last_[r];
 }

@@ -30,6 +30,9 @@ Placed after(const Placed& then, const Placed& first);
 /// The rotation of a place turned further, which stays one however often it is done.
 Placed turned_further(const Placed& turn, const Placed& from);
 
+/// As far beyond `to` as that is from `from`.
+Placed continued(const Placed& from, const Placed& to);
+
 double3 rotate(const double3* rows, const double3& v);
 double3 to_world(const Placed&, const double3& described);
 bool same_rotation(const Placed&, const Placed&);
@@ -50,8 +53,9 @@ class TurnInParts {
   void next(double3* rows);
 
  private:
-  Quaternion part_, now_;
-  double3 last_[3];
+  // rows = along + cos across + sin beside, by Rodrigues' formula
+  double3 along_[3], across_[3], beside_[3], last_[3];
+  double part_cos_, part_sin_, cos_ = 1, sin_ = 0;
   int left_;
 };
 

@@ -11,25 +11,31 @@ namespace {
 
 /// A view of a set as records, in the order of the members; throws InvalidInput.
 struct Described {
+  struct Name {
+    const char* view;
+    uint32_t index;
+  };
   Vector<api::ColliderRecord> records;
-  Vector<Text> names;  ///< "capsules[3]"
+  Vector<Name> names;
 };
 
 template <class Desc>
 void describe(View<Desc> views, const char* name, Described& out) {
   scene::check_view(views, name);
   for (uint32_t i = 0; i < views.count; ++i) {
-    out.names.push_back(text("%s[%u]", name, i));
+    out.names.push_back({name, i});
     try {
       out.records.push_back(api::record_of(views[i]));
     } catch (const InvalidInput& problem) {
-      throw InvalidInput(text("%s: %s", out.names.back().c_str(), problem.what()));
+      throw InvalidInput(text("%s[%u]: %s", name, i, problem.what()));
     }
   }
 }
 
-Described described(const ColliderSetDesc& desc) {
+Described described(const ColliderSetDesc& desc, size_t expected = 0) {
   Described all;
+  all.records.reserve(expected);
+  all.names.reserve(expected);
   describe(desc.spheres, "spheres", all);
   describe(desc.planes, "planes", all);
   describe(desc.capsules, "capsules", all);
@@ -53,17 +59,11 @@ Result<ColliderSetId> World::create_collider_set(const ColliderSetDesc& desc) no
     const Described all = described(desc);
     api::ColliderSetRecord set;
     set.members.reserve(all.records.size());
-    try {
-      for (const api::ColliderRecord& record : all.records) {
-        set.members.push_back(impl_->add(record));
-      }
-      id = impl_->collider_set_ids.take(impl_->collider_sets);
-    } catch (...) {
-      // The last first: so the free slots stay in order, and with them the colliders to come.
-      for (; !set.members.empty(); set.members.pop_back()) {
-        impl_->remove(*impl_->find(set.members.back()));
-      }
-      throw;
+    impl_->collider_set_ids.make_room(impl_->collider_sets, 1);
+    impl_->collider_ids.make_room(impl_->colliders, all.records.size());
+    id = impl_->collider_set_ids.take(impl_->collider_sets);
+    for (const api::ColliderRecord& record : all.records) {
+      set.members.push_back(impl_->add(record));
     }
     set.id = id;
     impl_->collider_sets[id.index] = std::move(set);
@@ -87,12 +87,13 @@ Status World::move_collider_set(ColliderSetId id, const ColliderSetDesc& desc, M
   if (!set) return impl_->stale("collider set", id.index);
   return api::guarded(*impl_->context, [&] {
     scene::check_choice(int(how), 2, "how", "simulate, teleport");
-    const Described all = described(desc);
+    const Described all = described(desc, set->members.size());
     Vector<std::pair<api::ColliderRecord*, const api::ColliderRecord*>> moves;
     for (size_t i = 0; i < all.records.size() && i < set->members.size(); ++i) {
       api::ColliderRecord* member = impl_->find(set->members[i]);
       if (!member || member->shape != all.records[i].shape) break;
-      if (!desc.may_stretch) check_sizes(*member, all.records[i], all.names[i].c_str());
+      const Described::Name& name = all.names[i];
+      if (!desc.may_stretch) check_sizes(*member, all.records[i], name.view, name.index);
       moves.emplace_back(member, &all.records[i]);
     }
     if (moves.size() != all.records.size() || moves.size() != set->members.size()) {

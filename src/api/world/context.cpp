@@ -78,6 +78,7 @@ Result<Context> Context::create(const ContextDesc& desc, uint32_t abi) noexcept 
                      : desc.threads > 0     ? desc.threads
                                             : std::max(1u, std::thread::hardware_concurrency());
     if (!choice.fallback.empty()) state->say(Severity::info, choice.fallback);
+    const MemoryScope of_context(&state->uncounted);
     return Context(new Impl(state));
   } catch (const InvalidInput& problem) {
     return refuse(Status::invalid_argument, problem.what());

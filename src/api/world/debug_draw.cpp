@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "api/world/call_guard.h"
 #include "api/context/vector_math.h"
@@ -23,8 +24,12 @@ class Pencil {
   Pencil(const DebugDraw& draw, const api::Placed& placed, uint32_t colour)
       : draw_(draw), placed_(placed), colour_(colour) {}
 
-  void line(const double3& a, const double3& b) const {
-    draw_.line(draw_.user, api::to_world(placed_, a), api::to_world(placed_, b), colour_);
+  void line(const double3& a, const double3& b) const { line(a, b, colour_); }
+  /// One that leads nowhere, as of a cloth that has diverged, is left out.
+  void line(const double3& a, const double3& b, uint32_t colour) const {
+    const double3 from = api::to_world(placed_, a), to = api::to_world(placed_, b);
+    if (!is_finite(from) || !is_finite(to)) return;
+    draw_.line(draw_.user, from, to, colour);
   }
   /// Round `center`, in the plane of u and v, whose length is the radius.
   void circle(const double3& center, const double3& u, const double3& v) const {
@@ -67,8 +72,12 @@ class Pencil {
   }
 
  private:
+  static bool is_finite(const double3& p) {
+    return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
+  }
+
   const DebugDraw& draw_;
-  const api::Placed& placed_;
+  const api::Placed placed_;
   uint32_t colour_;
 };
 
@@ -111,69 +120,104 @@ void draw_collider(const DebugDraw& draw, const api::ColliderRecord& c, double t
 }
 
 uint32_t colour_of(double strain) {
-  const double s = std::clamp(strain, -1.0, 1.0);
+  const double s = std::isfinite(strain) ? std::clamp(strain, -1.0, 1.0) : 1;
   const auto fade = static_cast<uint32_t>(255 * (1 - std::fabs(s)) + 0.5);
   const uint32_t red = s >= 0 ? 255 : fade, blue = s <= 0 ? 255 : fade;
   return red << 24 | fade << 16 | blue << 8 | 0xff;
 }
 
-void draw_springs(const DebugDraw& draw, const api::ClothRecord& cloth,
-                  const Vector<double3>& x) {
-  const scene::CookedFabric& fabric = cloth.cooked();
+/// What is drawn of a cloth: a copy, for whoever draws may do with the world what he likes.
+struct DrawnCloth {
+  Fabric fabric;
+  Vector<double3> x;
+  Vector<uint32_t> pinned;
+  Bounds bounds;
+};
+
+void draw_springs(const DebugDraw& draw, const DrawnCloth& cloth) {
+  const scene::CookedFabric& fabric = cloth.fabric.impl()->cooked;
+  const Pencil pencil(draw, api::Placed(), 0);
   scene::each_spring(fabric, [&](uint32_t i, uint32_t j, double, double rest) {
-    const double length = api::length(api::minus(x[i], x[j]));
+    const double length = api::length(api::minus(cloth.x[i], cloth.x[j]));
     if (rest < 0) {
       rest = api::length(api::minus(fabric.position_of(i), fabric.position_of(j)));
     }
     const double strain = rest > 0 ? (length - rest) / rest / draw.full_strain : 0;
-    draw.line(draw.user, x[i], x[j], colour_of(strain));
+    pencil.line(cloth.x[i], cloth.x[j], colour_of(strain));
   });
+}
+
+void draw_cloth(const DebugDraw& draw, const DrawnCloth& cloth) {
+  const Bounds& b = cloth.bounds;
+  if (draw.what & DebugDraw::springs) draw_springs(draw, cloth);
+  if (draw.what & DebugDraw::pins) {
+    const double size = std::max(0.01 * api::length(api::minus(b.high, b.low)), 1e-3);
+    const Pencil pencil(draw, api::Placed(), yellow);
+    for (const uint32_t v : cloth.pinned) {
+      for (const double3& d : {double3{size, 0, 0}, double3{0, size, 0}, double3{0, 0, size}}) {
+        pencil.line(api::minus(cloth.x[v], d), api::plus(cloth.x[v], d));
+      }
+    }
+  }
+  if (draw.what & DebugDraw::bounds) {
+    const double3 size = api::times(0.5, api::minus(b.high, b.low));
+    const double3 half[3] = {{size.x, 0, 0}, {0, size.y, 0}, {0, 0, size.z}};
+    Pencil(draw, api::Placed(), grey).box(api::times(0.5, api::plus(b.low, b.high)), half);
+  }
+}
+
+struct Drawing {
+  Vector<DrawnCloth> cloths;
+  Vector<api::ColliderRecord> colliders;
+  double time = 0;
+};
+
+Status copy_of(World::Impl& world, World& self, const DebugDraw& draw, Drawing& out) {
+  out.time = world.time;
+  for (const ClothId id : world.order) {
+    const api::ClothRecord& cloth = *world.find(id);
+    if (cloth.cooked().vertices == 0) continue;
+    DrawnCloth& drawn = out.cloths.emplace_back();
+    drawn.fabric = cloth.fabric;
+    drawn.bounds = cloth.bounds;
+    if (draw.what & (DebugDraw::springs | DebugDraw::pins)) {
+      drawn.x.resize(cloth.cooked().vertices);
+      const Status status = self.read_positions(id, drawn.x.data());
+      if (status != Status::ok) return status;
+    }
+    for (const api::PinRecord& pin : cloth.pins) drawn.pinned.push_back(pin.vertex);
+  }
+  if (draw.what & DebugDraw::colliders) {
+    for (const api::ColliderRecord& c : world.colliders) {
+      if (c.id) out.colliders.push_back(c);
+    }
+  }
+  return Status::ok;
 }
 
 }  // namespace
 
-Status World::debug_draw(const DebugDraw& draw) noexcept {
-  const api::CallGuard guard(impl_);
-  if (!guard) return guard.status();
-  return api::guarded(*impl_->context, [&] {
-    if (!draw.line) {
-      throw InvalidInput("line is null (the lines must go somewhere) give a function");
-    }
-    scene::check_positive(draw.full_strain, "full_strain");
-    const api::Placed world;
-    Vector<double3> x;
-    for (const ClothId id : impl_->order) {
-      const api::ClothRecord& cloth = *impl_->find(id);
-      x.resize(cloth.cooked().vertices);
-      if (x.empty()) continue;
-      if (draw.what & (DebugDraw::springs | DebugDraw::pins)) {
-        const Status status = read_positions(id, x.data());
-        if (status != Status::ok) return status;
+Status World::debug_draw(const DebugDraw& given) noexcept {
+  const DebugDraw draw = given;
+  // Outlives the copy whose memory it is, also where a line's function destroys the world.
+  std::shared_ptr<api::ContextState> context;
+  std::optional<Drawing> drawing;
+  {
+    const api::CallGuard guard(impl_);
+    if (!guard) return guard.status();
+    context = impl_->context;
+    const Status status = api::guarded(*context, [&] {
+      if (!draw.line) {
+        throw InvalidInput("line is null (the lines must go somewhere) give a function");
       }
-      const Bounds b = cloth.bounds;
-      if (draw.what & DebugDraw::springs) draw_springs(draw, cloth, x);
-      if (draw.what & DebugDraw::pins) {
-        const double size = std::max(0.01 * api::length(api::minus(b.high, b.low)), 1e-3);
-        const Pencil pencil(draw, world, yellow);
-        for (const api::PinRecord& pin : cloth.pins) {
-          for (const double3& d : {double3{size, 0, 0}, double3{0, size, 0}, double3{0, 0, size}}) {
-            pencil.line(api::minus(x[pin.vertex], d), api::plus(x[pin.vertex], d));
-          }
-        }
-      }
-      if (draw.what & DebugDraw::bounds) {
-        const double3 size = api::times(0.5, api::minus(b.high, b.low));
-        const double3 half[3] = {{size.x, 0, 0}, {0, size.y, 0}, {0, 0, size.z}};
-        Pencil(draw, world, grey).box(api::times(0.5, api::plus(b.low, b.high)), half);
-      }
-    }
-    if (draw.what & DebugDraw::colliders) {
-      for (const api::ColliderRecord& c : impl_->colliders) {
-        if (c.id) draw_collider(draw, c, impl_->time);
-      }
-    }
-    return Status::ok;
-  });
+      scene::check_positive(draw.full_strain, "full_strain");
+      return copy_of(*impl_, *this, draw, drawing.emplace());
+    });
+    if (status != Status::ok) return status;
+  }
+  for (const DrawnCloth& cloth : drawing->cloths) draw_cloth(draw, cloth);
+  for (const api::ColliderRecord& c : drawing->colliders) draw_collider(draw, c, drawing->time);
+  return Status::ok;
 }
 
 }  // namespace v0

@@ -51,7 +51,7 @@ Status World::set_gravity(double3 gravity) noexcept {
 }
 
 Status World::set_forces(ClothId id, View<VertexForce> forces) noexcept {
-  const api::CallGuard guard(impl_);
+  const api::CallGuard guard(impl_, id);
   if (!guard) return guard.status();
   api::ClothRecord* cloth = impl_->find(id);
   if (!cloth) return impl_->stale("cloth", id.index);
@@ -140,6 +140,7 @@ void World::Impl::move(api::ColliderRecord& c, const api::Placed& to, Move how) 
   c.since = time;
   if (how == Move::teleport) {
     c.placed = to;
+    c.went = false;
     c.gliding = false;
     c.way.arrive();
     if (!api::same_place(from, to)) wake_touched(c, 0);
@@ -162,7 +163,7 @@ Status World::move_collider(ColliderId id, const Pose& pose, Move how) noexcept 
 }
 
 Status World::wake(ClothId id) noexcept {
-  const api::CallGuard guard(impl_);
+  const api::CallGuard guard(impl_, id);
   if (!guard) return guard.status();
   api::ClothRecord* cloth = impl_->find(id);
   if (!cloth) return impl_->stale("cloth", id.index);
@@ -171,7 +172,7 @@ Status World::wake(ClothId id) noexcept {
 }
 
 Result<bool> World::asleep(ClothId id) noexcept {
-  const api::CallGuard guard(impl_);
+  const api::CallGuard guard(impl_, id);
   if (!guard) return guard.status();
   const api::ClothRecord* cloth = impl_->find(id);
   if (!cloth) return impl_->stale("cloth", id.index);

@@ -22,12 +22,15 @@ class EventList {
     }
     events_.push_back(event);
   }
-  /// An event whose text is kept here; the list holds four of them.
+  /// An event whose text is kept here, as long as there is room for it.
   void push_back(const Event& event, const Text& words) noexcept {
-    Text& kept = texts_[texts_used_ < text_count ? texts_used_++ : text_count - 1];
-    kept = words;
-    push_back(event);
-    if (!events_.empty()) events_.back().text = kept.c_str();
+    Event told = event;
+    told.text = "as the events before it: of its text there was no room left";
+    if (texts_used_ < text_count) {
+      texts_[texts_used_] = words;
+      told.text = texts_[texts_used_++].c_str();
+    }
+    push_back(told);
   }
   void clear() noexcept {
     events_.clear();
@@ -36,7 +39,7 @@ class EventList {
   View<Event> view() const noexcept { return {events_.data(), events_.size()}; }
 
  private:
-  static constexpr size_t text_count = 4;
+  static constexpr size_t text_count = 16;
   Vector<Event> events_;
   Text texts_[text_count];
   size_t texts_used_ = 0;

@@ -125,7 +125,9 @@ void World::Impl::arrive(double way) {
     }
   }
   for (api::ColliderRecord& c : colliders) {
-    if (!c.id || !c.gliding) continue;
+    c.went = c.id && c.gliding;
+    if (!c.went) continue;
+    c.was = c.placed;
     c.placed = c.target;
     c.since = time;
     c.gliding = false;

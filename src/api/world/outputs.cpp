@@ -15,7 +15,7 @@ api::OutputRecord* World::Impl::find(OutputId id) noexcept {
 }
 
 Result<OutputId> World::bind_output(ClothId id, const OutputDesc& desc) noexcept {
-  const api::CallGuard guard(impl_);
+  const api::CallGuard guard(impl_, id);
   if (!guard) return guard.status();
   const api::ClothRecord* cloth = impl_->find(id);
   if (!cloth) return impl_->stale("cloth", id.index);

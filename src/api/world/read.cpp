@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "api/arena/image.h"
+#include "api/arena/tethers.h"
 #include "api/world/call_guard.h"
 #include "plan/device_arrays.h"
 #include "api/records/evaluation.h"
@@ -69,8 +70,8 @@ static Status read_cloth(World::Impl* impl, ClothId id, api::StateArray which, U
 /// Hands out vectors, `stride` bytes apart; `what` names them in messages.
 template <class Point>
 static Status read_points(World::Impl* impl, ClothId id, api::StateArray which, const char* what,
-                          Point* out, uint32_t stride) {
-  const api::CallGuard guard(impl);
+                          Point* out, uint32_t stride, const char* call = __builtin_FUNCTION()) {
+  const api::CallGuard guard(impl, id, call);
   if (!guard) return guard.status();
   if (const api::ClothRecord* cloth = impl->find(id);
       cloth && cloth->cooked().vertices > 0 && (!out || stride < sizeof(Point))) {
@@ -100,7 +101,7 @@ Status World::read_positions(ClothId id, float3* out, uint32_t stride) noexcept 
 
 template <class Point>
 static Status read_normals(World::Impl* impl, ClothId id, Point* out, uint32_t stride) {
-  const api::CallGuard guard(impl);
+  const api::CallGuard guard(impl, id);
   if (!guard) return guard.status();
   if (impl->find(id)) impl->want_normals();
   return read_points(impl, id, api::StateArray::normal, "normals", out, stride);
@@ -113,7 +114,7 @@ Status World::read_normals(ClothId id, float3* out, uint32_t stride) noexcept {
 }
 
 Status World::read_accelerations(ClothId id, double3* out) noexcept {
-  const api::CallGuard guard(impl_);
+  const api::CallGuard guard(impl_, id);
   if (!guard) return guard.status();
   if (impl_->find(id) && !out) {
     return impl_->context->fail(
@@ -124,9 +125,33 @@ Status World::read_accelerations(ClothId id, double3* out) noexcept {
                     [&](const api::ClothRecord&, uint32_t v, const double3& a) { out[v] = a; });
 }
 
-/// v = d/dt + a dt/2 with every force of the scheme: lagged drag acts on d/dt, central drag on v.
+Status World::Impl::probe(const api::ClothRecord& cloth, Vector<api::Probed>& out) {
+  out.clear();
+  bool holds = api::TethersPart::used(cloth);
+  for (const api::ColliderRecord& c : colliders) holds |= bool(c.id);
+  // Before the first step the displacement is that of the velocity that was given.
+  if (!holds || !cloth.moved || cloth.asleep) return Status::ok;
+  if (!probed) {
+    Vector<api::ColliderRecord> on(colliders.begin(), colliders.end());
+    for (api::ColliderRecord& c : on) {
+      c.gliding = c.went;
+      c.since = c.went ? time : c.since;
+      if (c.went) c.target = api::continued(c.was, c.placed);
+    }
+    api::ArenaInput in = *built;
+    in.colliders = &on;
+    const Status status =
+        arena->probe(in, {int(substeps_last), dt_before, dt_before, time, context->workers()});
+    if (status != Status::ok) return status;
+    probed = true;
+  }
+  return arena->read_probe(cloth, out);
+}
+
+/// v = (d_n + d_(n+1))/2dt. Where nothing but forces acts on a vertex that is d/dt + a dt/2 with
+/// every force of the scheme: lagged drag acts on d/dt, central drag on v.
 Status World::read_velocities(ClothId id, double3* out) noexcept {
-  const api::CallGuard guard(impl_);
+  const api::CallGuard guard(impl_, id);
   if (!guard) return guard.status();
   if (impl_->find(id) && !out) {
     return impl_->context->fail(Status::invalid_argument,
@@ -137,6 +162,12 @@ Status World::read_velocities(ClothId id, double3* out) noexcept {
       impl_, id, api::StateArray::acceleration,
       [&](const api::ClothRecord&, uint32_t, const double3& value) { a.push_back(value); });
   if (status != Status::ok) return status;
+  Vector<api::Probed> next;
+  const Status probing = api::guarded(*impl_->context, [&] {
+    const api::ClothRecord& cloth = *impl_->find(id);
+    return cloth.cooked().vertices > 0 ? impl_->probe(cloth, next) : Status::ok;
+  });
+  if (probing != Status::ok) return probing;
   return read_cloth(impl_, id, api::StateArray::displacement,
                     [&](const api::ClothRecord& cloth, uint32_t v, const double3& d) {
                       const double dt = cloth.moved ? impl_->dt_before : impl_->built_dt;
@@ -146,6 +177,14 @@ Status World::read_velocities(ClothId id, double3* out) noexcept {
                         out[v] = moves ? api::motion_velocity(cloth.motions[size_t(pin->motion)],
                                                               impl_->time)
                                        : backward;
+                        return;
+                      }
+                      if (cloth.asleep) {
+                        out[v] = {0, 0, 0};
+                        return;
+                      }
+                      if (!next.empty() && next[v].held) {
+                        out[v] = api::times(0.5 / dt, api::plus(d, next[v].displacement));
                         return;
                       }
                       const double half_g = 0.5 * cloth.drag * dt / cloth.cooked().mass_of(v);
@@ -242,7 +281,7 @@ Stability World::stability() noexcept {
 }
 
 Result<Stability> World::stability(ClothId id) noexcept {
-  const api::CallGuard guard(impl_);
+  const api::CallGuard guard(impl_, id);
   if (!guard) return guard.status();
   api::ClothRecord* cloth = impl_->find(id);
   if (!cloth) return impl_->stale("cloth", id.index);
@@ -295,6 +334,7 @@ void World::Impl::publish() const noexcept {
   s.dt_last = dt_before;
   s.dt_least = dt_least;
   s.step_seconds = step_seconds;
+  s.cpu_seconds = cpu_seconds;
   s.time_dropped = time_dropped;
   s.threads = threads_last;
   const int shown = desc.profile ? api::phases_with_laps : api::phase_count;

@@ -32,6 +32,7 @@ struct Flight {
   uint32_t substeps = 0;
   Status outcome = Status::ok;
   double seconds = 0;            ///< how long the arena worked
+  double cpu_seconds = 0;        ///< and its threads
   std::atomic<bool> done{true};  ///< set by the thread that made the step
   std::atomic<bool> left{true};  ///< the last that this thread touches
 };
@@ -74,9 +75,13 @@ struct __attribute__((visibility("hidden"))) World::Impl : HostObject {
   api::ArenaInput arena_input(uint32_t substeps) const;
   /// Makes the arena anew where inputs have changed its shape. `dt`: of the substep to come.
   Status ensure_built(double dt, uint32_t substeps);
+  /// Destroys the record of a cloth that is no longer in `order`; needs no memory.
+  Status bury(uint32_t slot);
   Status ensure_readable();
   /// Accelerations and normals are made when they are asked for, for all cloths at once.
   Status make_result(api::StateArray);
+  /// What a substep more would do where colliders or tethers may hold a vertex, else nothing.
+  Status probe(const api::ClothRecord&, Vector<api::Probed>& out);
   /// Triangles of meshes go to the device when their normals are first asked for.
   void want_normals();
   /// A step in three parts: what the world does before the arena works, the arena's work, which may
@@ -103,6 +108,7 @@ struct __attribute__((visibility("hidden"))) World::Impl : HostObject {
   /// Tells all threads what has become of the world (told.h).
   void publish() const noexcept;
   void tell_who_sleeps(api::ClothRecord&);
+  Status tell_of_stretch();
   void start_bounds_of(api::ClothRecord&) const;
   void publish_bounds(api::ClothRecord&) const;
   Status report_not_finite();
@@ -132,6 +138,7 @@ struct __attribute__((visibility("hidden"))) World::Impl : HostObject {
   WorldDesc desc;
   Vector<std::unique_ptr<api::ClothRecord>> cloths;  ///< by slot; null: free
   api::Slots<ClothId> cloth_ids;
+  Vector<std::unique_ptr<api::ClothRecord>> graves;  ///< destroyed, but the arena is made for them
   Vector<ClothId> order;                  ///< by creation
   Vector<api::ColliderRecord> colliders;  ///< by slot; null id: free
   api::Slots<ColliderId> collider_ids;
@@ -147,6 +154,7 @@ struct __attribute__((visibility("hidden"))) World::Impl : HostObject {
   bool dirty = true;                     ///< the arena must be made anew
   /// What the arena's room for results holds of the present.
   enum class Result : uint8_t { none, accelerations, normals } result = Result::none;
+  bool probed = false;    ///< the arena knows what the next substep would do
   bool starting = false;  ///< some cloth on the device has not moved yet
   double built_dt = 0;    ///< step that the start displacements belong to
   uint32_t built_substeps = 0;
@@ -164,7 +172,7 @@ struct __attribute__((visibility("hidden"))) World::Impl : HostObject {
 
   uint64_t frames = 0, steps = 0;
   uint32_t substeps_most = 0, substeps_last = 0, threads_last = 1;
-  double dt_least = 0, step_seconds = 0;
+  double dt_least = 0, step_seconds = 0, cpu_seconds = 0;
   double time_owed = 0, time_dropped = 0;  ///< s, of advance()
   PhaseTime phases[api::phases_with_laps] = {
       {"prepare", 0},       {"advance", 0},           {"check", 0},

@@ -32,6 +32,7 @@ class Stopwatch {
 
 constexpr double shortest_substep = 1e-15;
 constexpr double most_substeps = 1e9;
+constexpr double most_table_bytes = 268435456;
 
 /// The fewest substeps of a frame with dt / n <= limit; beyond most_substeps the size is all that
 /// counts.
@@ -42,6 +43,19 @@ double fewest_substeps(double dt, double limit) {
   if (dt / n > limit) n += 1;
   if (n > 1 && dt / (n - 1) <= limit) n -= 1;
   return n;
+}
+
+/// Offsets of pin motions and turns of colliders are tabled for every substep of a frame.
+void check_tables(const plan::WorldShape& shape) {
+  const Counts counts = plan::counts_of(shape);
+  const double motions = counts.pin_blocks > 0 ? static_cast<double>(counts.motions) : 0;
+  const double of_substep = 3 * motions + 9 * static_cast<double>(counts.turns);
+  const double bytes = shape.substeps * of_substep * static_cast<double>(shape.scalar());
+  if (bytes <= most_table_bytes) return;
+  throw InvalidInput(
+      text("%u substeps (with moving pins or turning colliders they take tables of %.3g GB, and a "
+           "step has %.3g at most) step less far at once",
+           shape.substeps, 1e-9 * bytes, 1e-9 * most_table_bytes));
 }
 
 bool before_in_arena(const api::ClothRecord* a, const api::ClothRecord* b) {
@@ -102,6 +116,7 @@ api::ArenaInput World::Impl::arena_input(uint32_t substeps) const {
     in.meshes.push_back(c.cooked_mesh);
     shape.meshes.push_back(api::grid_counts(*c.cooked_mesh));
   }
+  check_tables(shape);
   return in;
 }
 
@@ -114,9 +129,11 @@ Status World::Impl::ensure_built(double dt, uint32_t substeps) {
     const Status status = arena->save(*built);
     if (status != Status::ok) return status;
     built.reset();
+    graves.clear();
   }
   dirty = true;
   result = Result::none;
+  probed = false;
   api::ArenaInput in = arena_input(substeps);
   const Status status = arena->build(in, dt, time, context->workers());
   if (status != Status::ok) return status;
@@ -253,7 +270,7 @@ Status World::Impl::report_not_finite() {
 }
 
 void World::Impl::begin_events() noexcept {
-  events.clear();
+  if (!lost) events.clear();  // those that say how it was lost stay
 }
 
 void World::Impl::drop_time(double seconds, const char* why) {
@@ -268,10 +285,11 @@ Status World::Impl::begin(const api::Stride& stride, double way) {
   }
   const Status status = ensure_built(stride.dt / stride.substeps, stride.substeps);
   if (status != Status::ok) return status;
-  events.make_room(order.size() + 4);  // whoever sleeps or wakes, and what else may happen
+  events.make_room(3 * order.size() + 4);  // whoever sleeps or wakes, and what else may happen
   aim(way);
   wake_by_colliders(stride.dt);
   result = Result::none;
+  probed = false;
   if (stride.dropped > 0) {
     drop_time(stride.dropped, "the step took max_substeps and was not as long as asked for");
   }
@@ -282,7 +300,7 @@ Status World::Impl::begin(const api::Stride& stride, double way) {
 }
 
 void World::Impl::fly() noexcept {
-  flight.seconds = 0;
+  flight.seconds = flight.cpu_seconds = 0;
   const MemoryScope scope(&context->memory);
   const api::Zone zone(*context, "weft step");
   const Stopwatch watch(flight.seconds);
@@ -290,6 +308,7 @@ void World::Impl::fly() noexcept {
   const double before = dt_before > 0 ? dt_before : sub_dt;
   Workers workers = context->workers();
   if (desc.profile) workers.clock = &clock;
+  workers.cpu_seconds = &flight.cpu_seconds;
   try {
     flight.outcome =
         arena->frame(*built, {static_cast<int>(flight.substeps), sub_dt, before, time, workers});
@@ -305,8 +324,50 @@ void World::Impl::tell_who_sleeps(api::ClothRecord& cloth) {
                     cloth.asleep ? "the cloth has come to rest" : "the cloth moves again"});
 }
 
+Status World::Impl::tell_of_stretch() {
+  const Status status = arena->watch_stretch(*built);
+  if (status != Status::ok) return status;
+  const auto tell = [&](EventType type, ClothId cloth, uint32_t vertex, const Text& words) {
+    events.push_back({type, cloth, vertex, time, nullptr}, words);
+  };
+  for (api::ClothRecord* cloth : built->cloths) {
+    if (cloth->asleep) continue;
+    api::StretchWatch& watch = cloth->stretch;
+    const scene::Stretches now = watch.now;
+    const bool beyond = now.largest > api::large_stretch;
+    watch.beyond |= beyond;
+    if (beyond && !watch.told_stretch) {
+      watch.told_stretch = true;
+      tell(EventType::large_stretch, cloth->id, now.a,
+           text("the spring %u-%u of cloth %u is %.6g m long (its rest length is %.6g m, and more "
+                "than 10 times that beyond it is no cloth) start without overlaps, move pins and "
+                "colliders slower, or lower `safety`",
+                now.a, now.b, cloth->id.index, now.length, now.rest));
+    }
+    watch.now = {};
+    if (watch.next < scene::stretch_items(cloth->cooked())) continue;
+    watch.told_stretch = watch.beyond;
+    const double mean =
+        watch.rest_squares > 0 ? std::sqrt(watch.longer_squares / watch.rest_squares) : 0;
+    const bool much = mean > api::large_mean_stretch;
+    if (much && !watch.told_energy) {
+      tell(EventType::large_energy, cloth->id, 0,
+           text("the springs of cloth %u are stretched by %.3g times their rest length on average "
+                "(more than 2: it gains energy from nothing) lower `safety`, give it damping, or "
+                "start without overlaps",
+                cloth->id.index, mean));
+    }
+    watch.told_energy = much;
+    watch.next = 0;
+    watch.beyond = false;
+    watch.longer_squares = watch.rest_squares = 0;
+  }
+  return Status::ok;
+}
+
 Status World::Impl::land() {
   phases[api::phase_inputs_and_advance].seconds += flight.seconds;
+  cpu_seconds += flight.cpu_seconds;
   for (int lap = 0; lap < lap_count; ++lap) {
     phases[api::phase_count + lap].seconds = clock.seconds[lap];
   }
@@ -347,8 +408,11 @@ Status World::Impl::land() {
   for (const api::ClothRecord* cloth : built->cloths) {
     if (cloth->broken) return report_not_finite();
   }
-  if (desc.accumulate == Accumulate::fixed64) return report_overflow();
-  return Status::ok;
+  if (desc.accumulate == Accumulate::fixed64) {
+    const Status status = report_overflow();
+    if (status != Status::ok) return status;
+  }
+  return tell_of_stretch();
 }
 
 Status World::Impl::run(const api::Stride& stride, double way) {

@@ -102,6 +102,7 @@ Status World::begin_step(double dt) noexcept {
     if (status != Status::ok) return status;
     impl_->flight.dt = 0;
     if (dt > 0) {
+      if (!impl_->context->jobs.parallel_for) impl_->runner.make();  // while nothing has begun
       if (status = impl_->begin(stride, 1); status != Status::ok) return status;
       impl_->start_flight();
     }

@@ -114,6 +114,7 @@ Result<ClothId> World::create_cloth(const ClothDesc& cloth_desc) noexcept {
     if (impl_->order.size() == impl_->order.capacity()) {
       impl_->order.reserve(2 * impl_->order.size() + 8);
     }
+    impl_->graves.reserve(impl_->order.capacity());  // what destroys may not need memory
     impl_->told.make_room(impl_->cloths.size() + 1);
     id = impl_->cloth_ids.take(impl_->cloths);
     record->id = id;
@@ -131,20 +132,35 @@ Result<ClothId> World::create_cloth(const ClothDesc& cloth_desc) noexcept {
   return id;
 }
 
+/// The others' state must come to the host while the arena still matches its records. Where there
+/// is no memory for it, it stays there, and the record with it.
+Status World::Impl::bury(uint32_t slot) {
+  if (!built) {
+    cloths[slot].reset();
+    return Status::ok;
+  }
+  cloths[slot]->buried = true;
+  Status status = Status::ok;
+  try {
+    if (!order.empty()) status = arena->save(*built);
+  } catch (const std::bad_alloc&) {
+    graves.push_back(std::move(cloths[slot]));
+    return Status::ok;
+  }
+  graves.clear();
+  cloths[slot].reset();
+  built.reset();
+  return status;
+}
+
 Status World::destroy_cloth(ClothId id) noexcept {
-  const api::CallGuard guard(impl_);
+  const api::CallGuard guard(impl_, id);
   if (!guard) return guard.status();
   if (!impl_->find(id)) return impl_->stale("cloth", id.index);
   return api::guarded(*impl_->context, [&] {
-    // The others' state must come to the host while the arena still matches its records.
-    if (impl_->built) {
-      const Status status = impl_->arena->save(*impl_->built);
-      if (status != Status::ok) return status;
-    }
     impl_->dirty = true;
-    impl_->built.reset();
     impl_->order.erase(std::find(impl_->order.begin(), impl_->order.end(), id));
-    impl_->cloths[id.index].reset();
+    if (const Status status = impl_->bury(id.index); status != Status::ok) return status;
     impl_->told.remove(id);
     impl_->cloth_ids.give_back(id.index);
     for (api::OutputRecord& output : impl_->outputs) {
@@ -176,8 +192,9 @@ void World::Impl::remove(api::ColliderRecord& collider) {
 }
 
 template <class Desc>
-static Result<ColliderId> add_collider(World::Impl* impl, const Desc& desc) {
-  const api::CallGuard guard(impl);
+static Result<ColliderId> add_collider(World::Impl* impl, const Desc& desc,
+                                       const char* call = __builtin_FUNCTION()) {
+  const api::CallGuard guard(impl, api::CallGuard::During::rest, call);
   if (!guard) return guard.status();
   ColliderId id;
   const Status status = api::guarded(*impl->context, [&] {
@@ -236,7 +253,7 @@ static void check_vertices(const api::ClothRecord& cloth, View<uint32_t> vertice
 }
 
 Status World::move_pins(ClothId id, View<uint32_t> vertices, PointView targets) noexcept {
-  const api::CallGuard guard(impl_);
+  const api::CallGuard guard(impl_, id);
   if (!guard) return guard.status();
   api::ClothRecord* cloth = impl_->find(id);
   if (!cloth) return impl_->stale("cloth", id.index);
@@ -253,7 +270,7 @@ Status World::move_pins(ClothId id, View<uint32_t> vertices, PointView targets) 
 }
 
 Status World::set_skinned_targets(ClothId id, PointView targets) noexcept {
-  const api::CallGuard guard(impl_);
+  const api::CallGuard guard(impl_, id);
   if (!guard) return guard.status();
   const api::ClothRecord* cloth = impl_->find(id);
   if (!cloth) return impl_->stale("cloth", id.index);
@@ -275,7 +292,7 @@ Status World::set_skinned_targets(ClothId id, PointView targets) noexcept {
 }
 
 Status World::release_pins(ClothId id, View<uint32_t> vertices) noexcept {
-  const api::CallGuard guard(impl_);
+  const api::CallGuard guard(impl_, id);
   if (!guard) return guard.status();
   api::ClothRecord* cloth = impl_->find(id);
   if (!cloth) return impl_->stale("cloth", id.index);
@@ -299,7 +316,7 @@ Status World::release_pins(ClothId id, View<uint32_t> vertices) noexcept {
 }
 
 Result<View<Diagnostic>> World::diagnostics(ClothId id) noexcept {
-  const api::CallGuard guard(impl_);
+  const api::CallGuard guard(impl_, id);
   if (!guard) return guard.status();
   api::ClothRecord* cloth = impl_->find(id);
   if (!cloth) return impl_->stale("cloth", id.index);

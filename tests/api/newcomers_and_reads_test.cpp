@@ -48,5 +48,45 @@ TEST(ReadAtOnce, BoundsOfANewcomerHoldItsPinsWhereTheirMotionIs) {
   }
 }
 
+TEST(ReadAtOnce, NewcomersStayWhereTheyAreWhenTheirLedPinsAreGivenTargets) {
+  TestWorld test;
+  weft::GridDesc grid;
+  grid.rows = grid.columns = 3;
+  test.add(grid, {});
+  test.step(0.5, 4);
+  const weft::Pin pins[] = {{0, 0}, {8, 0}};
+  weft::PinMotion motion;
+  motion.velocity = {0, 3, 0};
+  weft::ClothDesc cloth;
+  cloth.pins = {pins, 2};
+  cloth.motions = {&motion, 1};
+  const weft::ClothId id = test.add(grid, cloth);
+  const std::vector<weft::double3> targets(9, {0, 5, 0});
+  test.check(test.world().set_skinned_targets(id, weft::View<weft::double3>(targets)));
+  EXPECT_NEAR(test.position(id, 0).y, 6, 1e-6);
+  const uint32_t released[] = {8};
+  test.check(test.world().release_pins(id, {released, 1}));
+  EXPECT_NEAR(test.position(id, 8).y, 7, 1e-6);
+}
+
+TEST(ReadAtOnce, ClothThatWakesForOneStepSaysSo) {
+  TestWorld test(plain_world(weft::Precision::float64));
+  weft::GridDesc grid;
+  grid.rows = grid.columns = 3;
+  weft::ClothDesc cloth;
+  cloth.sleep_speed = 0.1;
+  cloth.sleep_time = 0;
+  const weft::ClothId id = test.add(grid, cloth);
+  test.step(1e-3);
+  ASSERT_TRUE(test.take(test.world().asleep(id)));
+  test.check(test.world().wake(id));
+  test.step(1e-3);
+  EXPECT_TRUE(test.take(test.world().asleep(id)));
+  const weft::View<weft::Event> events = test.world().events();
+  ASSERT_EQ(events.count, 2u);
+  EXPECT_EQ(events[0].type, weft::EventType::woke);
+  EXPECT_EQ(events[1].type, weft::EventType::slept);
+}
+
 }  // namespace
 }  // namespace weft_tests

@@ -37,7 +37,7 @@ const std::vector<Run::Call>& Run::calls() {
       {"wake", 2, &Run::wake, plain},
       {"step", 22, &Run::step, time_passes},
       {"advance", 14, &Run::advance, time_passes | not_starved | not_left_out},
-      {"begin_step", 8, &Run::begin_step, time_passes | not_starved},
+      {"begin_step", 8, &Run::begin_step, time_passes},
       {"end_step", 6, &Run::end_step, time_passes | in_any_flight | not_starved},
       {"prepare", 3, &Run::prepare, plain},
       {"substeps", 2, &Run::substeps, plain},

@@ -127,14 +127,9 @@ Status World::write_outputs(double alpha) noexcept {
   });
 }
 
-/// Where a vertex of a cloth that has not moved is, as the arena will hold it: a motion has led its
-/// pins since time 0, and `narrow` rounds to float.
-static double3 at_start(const api::ClothRecord& cloth, uint32_t v, double time, bool narrow) {
-  double3 x = api::minus(api::start_position(cloth, v), cloth.origin);
-  const api::PinRecord* pin = time > 0 ? cloth.pin_of(v) : nullptr;
-  if (pin && pin->motion >= 0) {
-    x = api::plus(x, api::motion_offset(cloth.motions[size_t(pin->motion)], time));
-  }
+/// Where a vertex of a cloth that has not moved is, as the arena will hold it; `narrow`: in float.
+static double3 at_start(const api::ClothRecord& cloth, uint32_t v, bool narrow) {
+  const double3 x = api::minus(api::start_position(cloth, v), cloth.origin);
   return api::plus(cloth.origin, narrow ? api::rounded_to_float(x) : x);
 }
 
@@ -163,7 +158,7 @@ Result<Bounds> World::bounds(ClothId id) const noexcept {
 void World::Impl::start_bounds_of(api::ClothRecord& cloth) const {
   Bounds b{{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
   for (uint32_t v = 0; v < cloth.cooked().vertices; ++v) {
-    const double3 x = at_start(cloth, v, time, desc.precision == Precision::float32);
+    const double3 x = at_start(cloth, v, desc.precision == Precision::float32);
     b.low = {std::min(b.low.x, x.x), std::min(b.low.y, x.y), std::min(b.low.z, x.z)};
     b.high = {std::max(b.high.x, x.x), std::max(b.high.y, x.y), std::max(b.high.z, x.z)};
   }

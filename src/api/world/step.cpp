@@ -132,8 +132,7 @@ Status World::Impl::ensure_built(double dt, uint32_t substeps) {
     graves.clear();
   }
   dirty = true;
-  result = Result::none;
-  probed = false;
+  forget_results();
   api::ArenaInput in = arena_input(substeps);
   const Status status = arena->build(in, dt, time, context->workers());
   if (status != Status::ok) return status;
@@ -288,8 +287,7 @@ Status World::Impl::begin(const api::Stride& stride, double way) {
   events.make_room(4 * order.size() + 4);  // whoever sleeps or wakes, and what else may happen
   aim(way);
   wake_by_colliders(stride.dt);
-  result = Result::none;
-  probed = false;
+  forget_results();
   if (stride.dropped > 0) {
     drop_time(stride.dropped, "the step took max_substeps and was not as long as asked for");
   }

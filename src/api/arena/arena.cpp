@@ -131,6 +131,8 @@ class ArenaOf final : public Arena, public HostObject {
           text("no %zu bytes of device memory (velocities need them) make the scene smaller",
                bytes));
     }
+    const auto give_back = [&](void* at) { backend_.release(context_.memory.hooks(), at, bytes); };
+    const std::unique_ptr<void, decltype(give_back)> held(memory, give_back);
     cut(static_cast<char*>(memory));
     Status status = colliders_.upload(in, input, device_);
     if (status == Status::ok) status = pins_.upload(in, input, device_.sim.pins);
@@ -143,7 +145,6 @@ class ArenaOf final : public Arena, public HostObject {
     frame.by_block = colliders_.by_block();
     if (status == Status::ok) status = backend_.probe(frame, x, d);
     if (status == Status::ok) status = fetch(moved, 0, size_t(elements), probed_);
-    backend_.release(context_.memory.hooks(), memory, bytes);
     return status;
   }
 

@@ -7,7 +7,7 @@
 
 namespace weft::scene {
 
-static double distance(const double3& a, const double3& b) {
+static double length_between(const double3& a, const double3& b) {
   const double x = a.x - b.x, y = a.y - b.y, z = a.z - b.z;
   return std::sqrt(x * x + y * y + z * z);
 }
@@ -20,8 +20,8 @@ struct Lengthening {
 };
 
 Lengthening lengthening(const EnergyInput& in, uint32_t i, uint32_t j, double rest) {
-  const double l0 = rest >= 0 ? rest : distance(in.rest_shape[i], in.rest_shape[j]);
-  return {l0, distance(in.x[i], in.x[j]) - l0};
+  const double l0 = rest >= 0 ? rest : length_between(in.rest_shape[i], in.rest_shape[j]);
+  return {l0, length_between(in.x[i], in.x[j]) - l0};
 }
 
 /// m: springs between vertices in one place, as at the poles of a globe, have a rest length of

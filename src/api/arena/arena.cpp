@@ -195,6 +195,7 @@ class ArenaOf final : public Arena, public HostObject {
 
   Status accelerations(const ArenaInput& in, double dt, double dt_before,
                        Workers workers) override {
+    if (const Status status = upload_parts(in); status != Status::ok) return status;
     Frame<T> frame{};
     frame.sim = sim_;
     frame.workers = workers;
@@ -406,11 +407,16 @@ class ArenaOf final : public Arena, public HostObject {
       if (status != Status::ok) return status;
       cloth->settling = substeps_to_settle;
       cloth->origin = plus(cloth->origin, by);
-      cloth->low = minus(cloth->low, by);
-      cloth->high = minus(cloth->high, by);
+      cloth->low = shifted(cloth->low, by);
+      cloth->high = shifted(cloth->high, by);
       cloth->middle = minus(cloth->middle, by);
     }
     return Status::ok;
+  }
+  /// Rounded like the positions.
+  static double3 shifted(const double3& x, const double3& by) {
+    const double3 now = minus(x, by);
+    return sizeof(T) == sizeof(float) ? rounded_to_float(now) : now;
   }
   Status shift(const Vec3Array<T>& of, const ClothRecord& cloth, const double3& by,
                Workers workers) {

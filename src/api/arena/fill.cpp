@@ -25,13 +25,6 @@ double3 start_displacement(const ClothRecord& cloth, uint32_t v, double dt, doub
   return times(dt, cloth.velocities.empty() ? cloth.velocity : cloth.velocities[v]);
 }
 
-/// Where the motion of a pin has taken it by `time`.
-double3 start_offset(const ClothRecord& cloth, uint32_t v, double time) {
-  const PinRecord* pin = cloth.pin_of(v);
-  if (!pin || pin->motion < 0) return {0, 0, 0};
-  return motion_offset(cloth.motions[static_cast<size_t>(pin->motion)], time);
-}
-
 template <class T>
 class ImageFiller {
  public:
@@ -77,8 +70,7 @@ class ImageFiller {
         if (kept) before.set(i, narrow<T>(cloth.saved_before[own]));
         continue;
       }
-      const double3 at =
-          plus(minus(start_position(cloth, v), cloth.origin), start_offset(cloth, v, time));
+      const double3 at = minus(start_position(cloth, v), cloth.origin);
       const double3 by = start_displacement(cloth, v, dt, time);
       x.set(i, narrow<T>(at));
       if (kept) before.set(i, narrow<T>(at));

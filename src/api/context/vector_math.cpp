@@ -37,4 +37,11 @@ void rotation_rows(const double3& axis, double degrees, const char* of, double3*
   rows[2] = {t * x * z - s * y, t * y * z + s * x, t * z * z + c};
 }
 
+/// Through memory: where g++ 12 vectorises the way to float and back, it leaves both out.
+double3 rounded_to_float(const double3& v) {
+  volatile float x = static_cast<float>(v.x), y = static_cast<float>(v.y),
+                 z = static_cast<float>(v.z);
+  return {double(x), double(y), double(z)};
+}
+
 }  // namespace weft::api

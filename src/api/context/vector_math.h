@@ -32,4 +32,7 @@ void rotation_rows(const double3& axis, double degrees, const char* of, double3*
 /// Throws InvalidInput when a component is not finite.
 double3 checked_vector(const double3&, const char* field);
 
+/// Rounded to float as the device rounds.
+double3 rounded_to_float(const double3& v);
+
 }  // namespace weft::api

@@ -204,6 +204,19 @@ void fill_record(const ClothDesc& desc, ClothRecord& cloth) {
   set_origin(cloth);
 }
 
+void start_motions(ClothRecord& cloth, double time) {
+  if (time == 0) return;
+  for (const PinRecord& pin : cloth.pins) {
+    if (pin.motion < 0) continue;
+    if (cloth.positions.empty()) {
+      cloth.positions.resize(cloth.cooked().vertices);
+      for (uint32_t v = 0; v < cloth.cooked().vertices; ++v) cloth.positions[v] = posed(cloth, v);
+    }
+    double3& start = cloth.positions[pin.vertex];
+    start = plus(start, motion_offset(cloth.motions[static_cast<size_t>(pin.motion)], time));
+  }
+}
+
 void wake(ClothRecord& cloth) {
   cloth.asleep = false;
   cloth.calm = 0;

@@ -125,5 +125,7 @@ void notice_rest(ClothRecord&, double dt, double substep);
 
 /// Checks a description against its fabric and makes a record of it; throws InvalidInput.
 void fill_record(const ClothDesc&, ClothRecord&);
+/// Lets the pins of a new cloth start where their motion is at `time`.
+void start_motions(ClothRecord&, double time);
 
 }  // namespace weft::api

@@ -75,6 +75,7 @@ Result<ColliderSetId> World::create_collider_set(const ColliderSetDesc& desc) no
 
 void World::Impl::stretch(api::ColliderRecord& c, const api::ColliderRecord& other) {
   if (same_sizes(c, other)) return;
+  probed = false;
   wake_touched(c, 0);
   take_sizes(c, other);
   wake_touched(c, 0);

@@ -43,7 +43,7 @@ Status World::set_gravity(double3 gravity) noexcept {
     api::checked_vector(gravity, "gravity");
     if (api::same(gravity, impl_->desc.gravity)) return Status::ok;
     impl_->desc.gravity = gravity;
-    impl_->result = Impl::Result::none;
+    impl_->forget_results();
     impl_->dirty |= impl_->starting;  // the start displacements depend on it
     impl_->wake_all();
     return Status::ok;
@@ -68,7 +68,7 @@ Status World::set_forces(ClothId id, View<VertexForce> forces) noexcept {
     impl_->dirty |= impl_->starting || sorted.empty() != cloth->forces.empty();
     cloth->forces = std::move(sorted);
     cloth->changed(Part::forces);
-    impl_->result = Impl::Result::none;
+    impl_->forget_results();
     api::wake(*cloth);
     return Status::ok;
   });
@@ -95,7 +95,7 @@ Status World::set_wind(const WindDesc& wind) noexcept {
     }
     impl_->dirty |= impl_->starting || !impl_->wind;
     impl_->wind = wind;
-    impl_->result = Impl::Result::none;
+    impl_->forget_results();
     for (const ClothId id : impl_->order) impl_->find(id)->bound_known = false;
     impl_->wake_all();
     return Status::ok;
@@ -109,7 +109,7 @@ Status World::clear_wind() noexcept {
   return api::guarded(*impl_->context, [&] {
     impl_->wind.reset();
     impl_->dirty = true;
-    impl_->result = Impl::Result::none;
+    impl_->forget_results();
     for (const ClothId id : impl_->order) impl_->find(id)->bound_known = false;
     impl_->wake_all();
     return Status::ok;
@@ -134,6 +134,7 @@ void World::Impl::move(api::ColliderRecord& c, const api::Placed& to, Move how) 
     const api::Placed& goal = c.way.state == State::none ? from : c.way.to;
     if (api::same_place(goal, to)) return;
   }
+  probed = false;
   if (how == Move::teleport && !api::same_place(from, to)) wake_touched(c, 0);
   c.placed = from;
   c.velocity = {0, 0, 0};

@@ -127,15 +127,10 @@ Status World::write_outputs(double alpha) noexcept {
   });
 }
 
-/// Where the vertices of a cloth that has not moved are.
-static Bounds start_bounds(const api::ClothRecord& cloth) {
-  Bounds b{{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
-  for (uint32_t v = 0; v < cloth.cooked().vertices; ++v) {
-    const double3 x = api::start_position(cloth, v);
-    b.low = {std::min(b.low.x, x.x), std::min(b.low.y, x.y), std::min(b.low.z, x.z)};
-    b.high = {std::max(b.high.x, x.x), std::max(b.high.y, x.y), std::max(b.high.z, x.z)};
-  }
-  return b;
+/// Where a vertex of a cloth that has not moved is, as the arena will hold it; `narrow`: in float.
+static double3 at_start(const api::ClothRecord& cloth, uint32_t v, bool narrow) {
+  const double3 x = api::minus(api::start_position(cloth, v), cloth.origin);
+  return api::plus(cloth.origin, narrow ? api::rounded_to_float(x) : x);
 }
 
 void World::Impl::publish_bounds(api::ClothRecord& cloth) const {
@@ -161,7 +156,13 @@ Result<Bounds> World::bounds(ClothId id) const noexcept {
 }
 
 void World::Impl::start_bounds_of(api::ClothRecord& cloth) const {
-  cloth.bounds = cloth.bounds_before = start_bounds(cloth);
+  Bounds b{{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
+  for (uint32_t v = 0; v < cloth.cooked().vertices; ++v) {
+    const double3 x = at_start(cloth, v, desc.precision == Precision::float32);
+    b.low = {std::min(b.low.x, x.x), std::min(b.low.y, x.y), std::min(b.low.z, x.z)};
+    b.high = {std::max(b.high.x, x.x), std::max(b.high.y, x.y), std::max(b.high.z, x.z)};
+  }
+  cloth.bounds = cloth.bounds_before = b;
 }
 
 }  // namespace v0

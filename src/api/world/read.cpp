@@ -81,6 +81,7 @@ static Status read_points(World::Impl* impl, ClothId id, api::StateArray which, 
              "give a buffer and its stride",
              what, out ? "a buffer" : "a null pointer", stride, sizeof(Point)));
   }
+  if (which == api::StateArray::normal && impl->find(id)) impl->want_normals();
   const bool local = which == api::StateArray::position;
   return read_cloth(
       impl, id, which, [&](const api::ClothRecord& cloth, uint32_t v, const double3& value) {
@@ -103,7 +104,6 @@ template <class Point>
 static Status read_normals(World::Impl* impl, ClothId id, Point* out, uint32_t stride) {
   const api::CallGuard guard(impl, id);
   if (!guard) return guard.status();
-  if (impl->find(id)) impl->want_normals();
   return read_points(impl, id, api::StateArray::normal, "normals", out, stride);
 }
 Status World::read_normals(ClothId id, double3* out, uint32_t stride) noexcept {

@@ -125,6 +125,11 @@ struct __attribute__((visibility("hidden"))) World::Impl : HostObject {
   void stretch(api::ColliderRecord&, const api::ColliderRecord& other);
   void remove(api::ColliderRecord&);
   void wake_all() noexcept;
+  /// What was worked out to be read is of other inputs.
+  void forget_results() noexcept {
+    result = Result::none;
+    probed = false;
+  }
   /// Leads pins to targets; free vertices are pinned first. `vertices` and `targets` are checked.
   Status lead_pins(api::ClothRecord&, View<uint32_t> vertices, const PointView& targets);
   Status pin_free(api::ClothRecord&, const std::pmr::vector<uint32_t>& vertices);

@@ -132,8 +132,7 @@ Status World::Impl::ensure_built(double dt, uint32_t substeps) {
     graves.clear();
   }
   dirty = true;
-  result = Result::none;
-  probed = false;
+  forget_results();
   api::ArenaInput in = arena_input(substeps);
   const Status status = arena->build(in, dt, time, context->workers());
   if (status != Status::ok) return status;
@@ -298,11 +297,10 @@ Status World::Impl::begin(const api::Stride& stride, double way) {
   }
   const Status status = ensure_built(stride.dt / stride.substeps, stride.substeps);
   if (status != Status::ok) return status;
-  events.make_room(3 * order.size() + 4);  // whoever sleeps or wakes, and what else may happen
+  events.make_room(4 * order.size() + 4);  // whoever sleeps or wakes, and what else may happen
   aim(way);
   wake_by_colliders(stride.dt);
-  result = Result::none;
-  probed = false;
+  forget_results();
   if (stride.dropped > 0) {
     drop_time(stride.dropped, "the step took max_substeps and was not as long as asked for");
   }
@@ -405,6 +403,7 @@ Status World::Impl::land() {
       cloth->positions = std::pmr::vector<double3>(&context->memory);
       cloth->velocities = std::pmr::vector<double3>(&context->memory);
     }
+    tell_who_sleeps(*cloth);  // it may have woken for this step alone
     api::notice_rest(*cloth, dt, sub_dt);
     tell_who_sleeps(*cloth);
     publish_bounds(*cloth);

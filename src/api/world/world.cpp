@@ -108,6 +108,7 @@ Result<ClothId> World::create_cloth(const ClothDesc& cloth_desc) noexcept {
   const Status status = api::guarded(*impl_->context, [&] {
     auto record = std::make_unique<api::ClothRecord>(&impl_->context->memory);
     fill_record(cloth_desc, *record);
+    start_motions(*record, impl_->time);
     impl_->start_bounds_of(*record);
     choose_evaluation(impl_->desc, impl_->context->backend->info(), *record);
     const Vector<scene::CookedDiagnostic> remarks = api::remarks_on(*record);

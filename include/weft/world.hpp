@@ -159,8 +159,9 @@ struct ColliderSetDesc {
 /// Wind on the triangles of grids and meshes. A triangle of area A and unit normal n whose vertices
 /// move at v on average feels, with u = velocity - v,
 ///   (air_density A/2) (normal |u.n| (u.n) n + tangential |u_t| u_t),
-/// a third on each vertex, limited so that a step never reverses u of a triangle. Still air brakes:
-/// only a zero `air_density`, or zero `normal` and `tangential`, is no effect at all.
+/// a third on each vertex. A step never reverses u of a triangle, and where wind balances the other
+/// forces it does so at any step. Still air brakes: only a zero `air_density`, or zero `normal` and
+/// `tangential`, is no effect at all.
 struct WindDesc {
   double3 velocity{0, 0, 0};   ///< m/s
   double air_density = 1.225;  ///< kg/m^3, >= 0
@@ -170,7 +171,8 @@ struct WindDesc {
 
 /// The largest stable step of a cloth or a world: dt^2 K + 2 dt C = 4 with K and C the largest
 /// S_i/m_i + S_j/m_j over the springs, S the summed stiffness (or damping) of a vertex. Wind lowers
-/// it as a drag, by a factor of sqrt(2) at most. Holds at every deformation, linearly.
+/// it as a drag, by a factor of sqrt(2) at most (2 where damping bounds the step). Holds at every
+/// deformation, linearly.
 struct Stability {
   double dt_bound;        ///< s; infinite when nothing bounds it
   ClothId cloth;          ///< the one that sets the bound

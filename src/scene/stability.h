@@ -10,8 +10,9 @@ namespace weft::scene {
 /// dt^2 K + 2 dt C = 4, K and C the largest S_i/m_i + S_j/m_j over the springs with S_i the summed
 /// stiffness (damping) of vertex i, pinned vertices counting 1/m = 0 (scaled Gershgorin bound on
 /// the edge matrix: rigorous at every deformation for the positive part of the stiffness,
-/// linearly). Wind is a lagged drag that its own limit keeps below G/(1 + G), G = C dt/m: it can
-/// bring the bound down by a factor of sqrt(2) at most.
+/// linearly). Wind counts as a lagged drag that its own limit keeps below G/(1 + G), G = C dt/m: it
+/// can bring the bound down by a factor of sqrt(2) at most, of 2 where damping sets it. That is to
+/// the safe side: what the step makes of wind is implicit enough to need no bound for itself.
 struct Bound {
   double dt;  ///< infinite when nothing bounds it
   uint32_t a,

@@ -86,6 +86,17 @@ TEST_F(Frames, LargestStretchIsReported) {
   EXPECT_NEAR(report["largest_stretch"], 0.25, 1e-7);
 }
 
+TEST_F(Frames, LargestStretchIsThatOfAllFramesNotOfTheLast) {
+  // A spring that begins a quarter too long is at its rest length a quarter of its period later.
+  Json json = scene_of(Json::parse(R"({ "name": "pair", "masses": [1, 1], "stiffness": 100,
+      "network": { "positions": [[0,0,0],[1,0,0]], "springs": [[0, 1, 100, 0.8]] } })"));
+  json["gravity"] = {0, 0, 0};
+  json["time"] = {{"duration", 0.11}, {"frame", 0.011}};
+  const std::string run = "run --json --every 0.011 --out " + (folder / "s") + " ";
+  const Json report = Json::parse(run_weft(run + scene(json)).out);
+  EXPECT_NEAR(report["largest_stretch"], 0.25, 1e-6);
+}
+
 TEST_F(Frames, WithoutOpenGLPicturesAreRefusedAtOnce) {
   const std::string arguments =
       "run --format png --out " + (folder / "f") + " " + scene(falling_scene());

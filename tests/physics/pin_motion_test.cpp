@@ -150,6 +150,43 @@ TEST_P(PinMotion, TeleportedPinAtMostDoublesTheJump) {
   }
 }
 
+TEST_P(PinMotion, VelocityOfALedPinIsThatOfThePresent) {
+  AnchoredMass mass;
+  mass.motions = {{{0.5, -1, 2}, {0.3, 0.2, -0.4}, 9}};
+  for (const weft::Form form : {weft::Form::summed, weft::Form::position}) {
+    weft::WorldDesc desc = plain_world(GetParam());
+    desc.form = form;
+    desc.substeps = 3;
+    TestWorld test(desc);
+    const weft::ClothId cloth = mass.add_to(test);
+    for (int n = 0; n < 12; ++n) {
+      const double t = test.world().time(), c = 9 * std::cos(9 * t);
+      expect_near(test.velocities(cloth)[0], Vec{0.5, -1, 2} + c * Vec{0.3, 0.2, -0.4}, 1e-6);
+      test.step(n % 3 == 0 ? 0.05 : 0.02);
+    }
+  }
+}
+
+TEST_P(PinMotion, VelocityOfAMovedPinIsThatOfItsLastSubstepAndThenZero) {
+  weft::WorldDesc desc = plain_world(GetParam());
+  desc.substeps = 2;
+  TestWorld test(desc);
+  AnchoredMass mass;
+  mass.stiffness = 0;
+  const weft::ClothId cloth = mass.add_to(test);
+  const std::vector<uint32_t> anchor{0};
+  const double within = GetParam() == weft::Precision::float64 ? 1e-8 : 1e-3;
+  for (const double dt : {0.04, 0.01}) {
+    const Vec from = test.position(cloth, 0), to = from + Vec{1, 2, -1};
+    const std::vector<weft::double3> target{to_weft(to)};
+    test.check(test.world().move_pins(cloth, anchor, weft::View<weft::double3>(target)));
+    test.step(dt);
+    expect_near(test.velocities(cloth)[0], (1 / dt) * (to - from), within / dt);
+    test.step(dt);
+    expect_near(test.velocities(cloth)[0], {0, 0, 0}, within);
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Precision, PinMotion, both_precisions(), precision_name);
 
 }  // namespace

@@ -267,5 +267,97 @@ TEST(Bound, WorldReportsItsStrictestCloth) {
   expect_bound(test.world().stability().dt_bound, 0.2);
 }
 
+TEST(Bound, DampingAndLaggedDragAddUp) {
+  // dt^2 K + 2 dt C = 4 with K = 100, C = damping + drag of a unit mass at an anchor.
+  for (const double damping : {3.0, 40.0})
+    for (const double drag : {2.0, 50.0}) {
+      AnchoredMass mass;
+      mass.spring_damping = damping;
+      mass.drag = drag;
+      mass.drag_model = weft::DragModel::lagged;
+      const double c = damping + drag;
+      expect_bound(bound_of(mass), (std::sqrt(c * c + 400) - c) / 100);
+    }
+}
+
+TEST(Bound, OfDampingAndLaggedDragTogetherIsTheEdgeOfGrowth) {
+  AnchoredMass mass;
+  mass.rest_length = 0;
+  mass.start = {1, 0, 0};
+  mass.spring_damping = 15;
+  mass.drag = 20;
+  mass.drag_model = weft::DragModel::lagged;
+  const double bound = bound_of(mass);
+  for (const double ratio : {0.99, 1.01}) {
+    weft::WorldDesc desc = plain_world(weft::Precision::float64);
+    desc.unsafe = true;
+    TestWorld test(desc);
+    const weft::ClothId cloth = mass.add_to(test);
+    test.step(ratio * bound, 2000);
+    const double x = std::abs(test.position(cloth, 1).x);
+    if (ratio < 1) {
+      EXPECT_LE(x, 1e-3);
+    } else {
+      EXPECT_GE(x, 1e3);
+    }
+  }
+}
+
+TEST(Bound, CountsTheDampingAtBothEndsOfASpring) {
+  // A star of 5 springs of a middle of 0.02 kg with leaves of 0.05 kg.
+  for (const bool middle_first : {true, false}) {
+    NetworkParts star;
+    const uint32_t middle = middle_first ? 0 : 5;
+    for (uint32_t v = 0; v < 6; ++v) {
+      star.positions.push_back({double(v), double(v * v), 0});
+      star.masses.push_back(v == middle ? 0.02 : 0.05);
+      if (v != middle) star.springs.push_back({std::min(v, middle), std::max(v, middle), 30, 1});
+    }
+    weft::ClothDesc cloth;
+    cloth.spring_damping = 0.4;
+    TestWorld test(plain_world(weft::Precision::float64));
+    add_network(test, star, cloth);
+    const double k = 30 * (5 / 0.02 + 1 / 0.05), c = 0.4 * (5 / 0.02 + 1 / 0.05);
+    expect_bound(test.world().stability().dt_bound, (std::sqrt(c * c + 4 * k) - c) / k);
+  }
+}
+
+TEST(Bound, WindLowersItAsADragThatCannotOvershoot) {
+  // dt^2 K + 2 dt C + 2 G/(1 + G) = 4, G = dt w, w = (rho/12) speed coefficient sum(2 A)/m. In a
+  // grid of equal densities, m = density sum(A)/3.
+  weft::GridDesc grid;
+  grid.rows = grid.columns = 12;
+  grid.material.stiffness = 80;
+  grid.material.mass.kind = weft::Mass::Kind::density;
+  grid.material.mass.value = 0.05;
+  TestWorld undamped(plain_world(weft::Precision::float64));
+  undamped.add(grid, weft::ClothDesc{});
+  const double k = 4 / std::pow(undamped.world().stability().dt_bound, 2);
+  for (const double damping : {0.0, 0.03}) {
+    const double c = k * damping / 80;
+    TestWorld still(plain_world(weft::Precision::float64)),
+        windy(plain_world(weft::Precision::float64));
+    weft::ClothDesc cloth;
+    cloth.spring_damping = damping;
+    cloth.velocity = {0, 3, 4};
+    still.add(grid, cloth);
+    windy.add(grid, cloth);
+    const double without = still.world().stability().dt_bound;
+    double previous = without;
+    for (const double speed : {0.0, 12.0, 500.0, 1e6}) {
+      windy.check(windy.world().set_wind({{speed, 0, 0}, 1.2, 0.3, 0.8}));
+      const double with = windy.world().stability().dt_bound;
+      const double w = 1.2 / 12 * (speed + 5) * 0.8 * 6 / 0.05;
+      const double g = with * w;
+      EXPECT_NEAR(with * with * k + 2 * with * c + 2 * g / (1 + g), 4, 1e-6) << speed;
+      EXPECT_LT(with, previous);
+      EXPECT_GE(with, without / (damping > 0 ? 2 : std::sqrt(2)) * 0.9999);
+      previous = with;
+    }
+    windy.check(windy.world().clear_wind());
+    EXPECT_EQ(windy.world().stability().dt_bound, without);
+  }
+}
+
 }  // namespace
 }  // namespace weft_tests

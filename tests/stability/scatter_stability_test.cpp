@@ -121,6 +121,61 @@ TEST(Fixed64Range, AHubDoesNotWrapIt) {
   EXPECT_NEAR(test.accelerations(add_network(test, hub))[0].x, 1e5, 1e-5);
 }
 
+TEST(Fixed64Range, IsWatchedAlongEveryAxisInBothDirections) {
+  for (const Vec way : {Vec{1, 0, 0}, Vec{0, 1, 0}, Vec{0, 0, 1}})
+    for (const double side : {-1.0, 1.0})
+      for (const bool second : {false, true}) {
+        NetworkParts parts;
+        parts.positions = {{0, 0, 0}, {1, 1, 1}};
+        parts.springs = {{0, 1, 1, 1}};
+        parts.masses = {1};
+        parts.velocities = {{0, 0, 0}, {0, 0, 0}};
+        parts.velocities[second ? 1 : 0] = (side * 1e6) * way;
+        TestWorld test(scattering(weft::Accumulate::fixed64));
+        const weft::ClothId cloth = add_network(test, parts);
+        weft::Status status = weft::Status::ok;
+        for (int n = 0; n < 12 && status == weft::Status::ok; ++n) {
+          status = test.world().step(1e-3);
+        }
+        EXPECT_EQ(status, weft::Status::diverged) << way.x << way.y << way.z << side;
+        EXPECT_LE(length(test.positions(cloth)[1] - test.positions(cloth)[0]), 1e4);
+      }
+}
+
+TEST(Fixed64Range, TellsTheVertexInTheCallersOrderAndTheTimeOfTheSubstep) {
+  // A chain of 100 vertices in an order of its own; at its end spring 57-12 is torn apart.
+  NetworkParts parts;
+  std::vector<uint32_t> chain;
+  for (uint32_t i = 0; i < 100; ++i) {
+    const uint32_t v = (i * 37) % 100;
+    if (v != 57 && v != 12) chain.push_back(v);
+  }
+  parts.positions.resize(100);
+  parts.velocities.resize(100);
+  parts.masses = {1};
+  for (size_t k = 0; k < chain.size(); ++k) {
+    parts.positions[chain[k]] = {double((k * 41) % 97), 0, 0};
+    if (k > 0) parts.springs.push_back({chain[k - 1], chain[k], 1e-6, 1});
+  }
+  parts.positions[57] = {200, 0, 0};
+  parts.positions[12] = {200, 0, 1};
+  parts.velocities[12] = {0, 0, 1e6};
+  parts.springs.push_back({57, 12, 1, 1});
+  weft::WorldDesc desc = scattering(weft::Accumulate::fixed64, weft::Precision::float64);
+  desc.substeps = 4;
+  TestWorld test(desc);
+  const weft::ClothId cloth = add_network(test, parts);
+  test.step(2e-3, 2);  // 4000 m: within 4096 N
+  EXPECT_EQ(test.world().step(2e-3), weft::Status::diverged);
+  const weft::View<weft::Event> events = test.world().events();
+  ASSERT_EQ(events.count, 1u);
+  EXPECT_EQ(events[0].cloth, cloth);
+  EXPECT_TRUE(events[0].vertex == 57 || events[0].vertex == 12) << events[0].vertex;
+  EXPECT_NE(test.log().find("vertex 57"), std::string::npos) << test.log();
+  EXPECT_NE(test.log().find("vertex 12"), std::string::npos) << test.log();
+  EXPECT_NEAR(events[0].time, 4.5e-3, 1e-12);  // 4500 m apart: the second substep of the third step
+}
+
 class AllSums : public testing::TestWithParam<weft::Accumulate> {
  protected:
   weft::WorldDesc desc() const {

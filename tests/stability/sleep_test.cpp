@@ -240,6 +240,24 @@ std::string variant_name(const testing::TestParamInfo<Variant>& info) {
   return std::string(weft::to_string(precision)) +
          (form == weft::Form::summed ? "_summed_" : "_position_") + std::to_string(substeps);
 }
+TEST_P(Sleep, EndsWithoutTheSpeedThatItBeganWith) {
+  for (const int frames : {1, 2, 5}) {
+    TestWorld test(desc());
+    const weft::ClothId id = add_sheet(test, {0, 0, 0}, 5, 2 * dt, 0.3);
+    for (int n = 0; n < 10 && !asleep(test, id); ++n) test.step(dt);
+    ASSERT_TRUE(asleep(test, id));
+    test.step(dt, frames);
+    const std::vector<Vec> x = test.positions(id);
+    test.check(test.world().wake(id));
+    // Springs alone move it: from rest, in one short step.
+    test.step(1e-3);
+    const std::vector<Vec> y = test.positions(id);
+    double furthest = 0;
+    for (size_t i = 0; i < x.size(); ++i) furthest = std::max(furthest, length(y[i] - x[i]));
+    EXPECT_LE(furthest, 2e-5) << frames;  // at 0.3 m/s it would be 3e-4 m
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Variants, Sleep,
                          testing::Combine(both_precisions(),
                                           testing::Values(weft::Form::summed, weft::Form::position),

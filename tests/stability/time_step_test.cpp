@@ -4,6 +4,9 @@
 #include "reference/refusals.h"
 #include "reference/sheets.h"
 
+#include <cmath>
+#include <functional>
+
 namespace weft_tests {
 namespace {
 
@@ -165,6 +168,82 @@ TEST_P(TimeStep, ResumingAfterAPauseKeepsThePinsMoving) {
     test.step(0);
   }
   EXPECT_NEAR(test.position(cloth, 1).x, 1.648574621650, tolerance(GetParam(), 1.648574621650));
+}
+
+TEST_P(TimeStep, AutomaticSubstepsAreTheFewestAtEveryMultipleOfTheBound) {
+  for (const double stiffness : {100.0, 37.0, 3.3}) {
+    weft::WorldDesc desc = plain_world(GetParam());
+    desc.substeps = 0;
+    TestWorld test(desc);
+    AnchoredMass mass;
+    mass.stiffness = stiffness;
+    mass.add_to(test);
+    const double limit = desc.safety * test.world().stability().dt_bound;
+    for (uint32_t n = 1; n < 3000; ++n) {
+      for (const double dt :
+           {n * limit, std::nextafter(n * limit, 0.0), std::nextafter(n * limit, 1e9)}) {
+        const uint32_t count = test.take(test.world().substeps(dt));
+        EXPECT_LE(dt / count, limit) << n;
+        if (count > 1) {
+          EXPECT_GT(dt / (count - 1), limit) << n;
+        }
+      }
+    }
+  }
+}
+
+TEST_P(TimeStep, WhatIsSetBetweenPrepareAndTheFirstStepCountsInIt) {
+  using Set = std::function<void(TestWorld&, weft::ClothId)>;
+  const std::vector<weft::VertexForce> force{{0, {0, 0.3, 0}}, {3, {0.2, 0, 0}}};
+  const std::vector<uint32_t> pin{0};
+  const Set all[] = {
+      [](TestWorld& t, weft::ClothId) {
+        t.check(t.world().set_gravity({1, -3, 2}));
+      },
+      [](TestWorld& t, weft::ClothId) {
+        t.check(t.world().set_wind({{2, 9, 4}}));
+      },
+      [](TestWorld& t, weft::ClothId) { t.check(t.world().clear_wind()); },
+      [&](TestWorld& t, weft::ClothId id) { t.check(t.world().set_forces(id, force)); },
+      [&](TestWorld& t, weft::ClothId id) { t.check(t.world().set_forces(id, {})); },
+      [&](TestWorld& t, weft::ClothId id) { t.check(t.world().release_pins(id, pin)); },
+  };
+  for (const weft::Form form : {weft::Form::summed, weft::Form::position})
+    for (const Set& set : all) {
+      weft::WorldDesc desc = plain_world(GetParam());
+      desc.form = form;
+      desc.gravity = {0, -10, 0};
+      desc.unsafe = true;
+      const std::vector<weft::VertexForce> first{{7, {0, 0, 1}}};
+      const std::vector<weft::Pin> pins{{0, weft::Pin::fixed}, {5, weft::Pin::fixed}};
+      weft::ClothDesc cloth;
+      cloth.forces = first;
+      cloth.pins = pins;
+      cloth.velocity = {0.3, 0, 1};
+      weft::GridDesc grid;
+      grid.rows = 5;
+      grid.columns = 6;
+      grid.material.stiffness = 2;
+      TestWorld prepared(desc), at_once(desc);
+      const weft::ClothId a = prepared.add(grid, cloth), b = at_once.add(grid, cloth);
+      for (TestWorld* t : {&prepared, &at_once}) t->check(t->world().set_wind({{-3, 1, 2}}));
+      prepared.check(prepared.world().prepare(0.01));
+      prepared.positions(a);
+      set(prepared, a);
+      set(at_once, b);
+      prepared.step(0.01, 3);
+      at_once.step(0.01, 3);
+      EXPECT_EQ(prepared.hash(), at_once.hash()) << (&set - all);
+    }
+}
+
+TEST_P(TimeStep, GravitySetAfterPrepareMovesTheFirstStepByHalfOfIt) {
+  TestWorld test(plain_world(GetParam()));
+  const weft::ClothId cloth = add_particles(test, {{0, 0, 0}});
+  test.check(test.world().prepare(0.1));
+  test.check(test.world().set_gravity({0, -10, 0}));
+  test.step(0.1);
+  EXPECT_NEAR(test.position(cloth, 0).y, -0.05, 1e-7);  // g dt^2/2, not g dt^2
 }
 
 INSTANTIATE_TEST_SUITE_P(Precision, TimeStep, both_precisions(), precision_name);

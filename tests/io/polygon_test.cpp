@@ -229,8 +229,6 @@ TEST(Polygons, TimeFollowsTheCorners) {
     const Cut what = cut(points, in_order(points.size())).cut;
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
     EXPECT_TRUE(what == Cut::done || what == Cut::too_long) << int(what);
-    std::printf("%zu corners: %s, %.2f s\n", points.size(), what == Cut::done ? "cut" : "refused",
-                seconds.count());
     EXPECT_LT(seconds.count(), 10);
   }
   EXPECT_NE(to_text(Cut::too_long, 100000).find("has 100000 corners"), std::string::npos);

@@ -72,6 +72,9 @@ WEFT_C_API weft_status weft_fabric_read_triangles(const weft_fabric*, uint64_t f
 WEFT_C_API uint32_t weft_fabric_diagnostics(const weft_fabric*);
 /* `index` below weft_fabric_diagnostics, else zeros. The text lives as long as the fabric. */
 WEFT_C_API weft_diagnostic weft_fabric_diagnostic(const weft_fabric*, uint32_t index);
+WEFT_C_API uint32_t weft_collider_mesh_diagnostics(const weft_collider_mesh*);
+/* As weft_fabric_diagnostic. */
+WEFT_C_API weft_diagnostic weft_collider_mesh_diagnostic(const weft_collider_mesh*, uint32_t index);
 WEFT_C_API void weft_collider_mesh_release(weft_collider_mesh*);
 
 WEFT_C_API weft_status weft_world_create(weft_context*, const weft_world_desc*, weft_world** out);

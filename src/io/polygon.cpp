@@ -7,7 +7,7 @@
 namespace weft::io {
 namespace {
 
-constexpr uint64_t work_per_corner = 2000, free_work = 1000000;
+constexpr uint64_t work_per_corner = 500, free_work = 1000000;
 /// In parts of the polygon's size: doubles, and corners that were written as one place.
 constexpr double tiny = 1e-12, one_place = 1e-9;
 

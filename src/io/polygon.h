@@ -36,7 +36,7 @@ std::string to_text(Cut, size_t corners);
 /// lowest number, else the ear with the shortest diagonal goes first: neither depends on the corner
 /// that a file lists first. Corners on a line get no triangle without area while there is another
 /// way; holes that are joined to the outline by a bridge of two coincident edges are left out.
-/// Time follows the corners: what needs more than 2,000 comparisons for each is given up.
+/// Time follows the corners: what needs more than 500 comparisons for each is given up.
 class PolygonCutter {
  public:
   explicit PolygonCutter(MemoryLimit& memory) : memory_(memory) {}

@@ -6,11 +6,13 @@
 namespace weft {
 namespace WEFT_BACKEND_NS {
 
-/// Zero where there is no area, finite everywhere (hard case 7).
+/// Zero where there is no area, finite everywhere (hard case 7), and zero where the areas cancel to
+/// what rounding leaves of their sum without signs, `size`.
 template <class T>
-WEFT_HD Vec3<T> unit_or_zero(Vec3<T> v) {
+WEFT_HD Vec3<T> unit_or_zero(Vec3<T> v, T size) {
+  constexpr T rounding = sizeof(T) == 4 ? T(2e-6) : T(4e-15);
   const T length = square_root(dot(v, v));
-  const bool has_length = length > T(0);
+  const bool has_length = length > rounding * size;
   const T scale = T(1) / (has_length ? length : T(1));
   return select(has_length, scale * v, Vec3<T>{T(0), T(0), T(0)});
 }
@@ -29,13 +31,16 @@ struct VertexNormals {
     const int i0 = block * block_size + lane0;
     const ClothParams<T>& cloth = cloths[cloth_of_block[block]];
     LaneVec3<T, N> sum;
+    T size[N];
     const Vec3Array<T> from = x;
     fan.sum_triangles(
         cloth, block, i0, lanes, [=](int i) WEFT_LANE { return load(from, i); },
-        [=](Vec3<T> here, Vec3<T> next, Vec3<T> last)
-            WEFT_LANE { return cross(next - here, last - here); },
-        sum);
-    lanes.each([&](int l) WEFT_LANE { store(out, i0 + l, unit_or_zero(sum.get(l))); });
+        [=](Vec3<T> here, Vec3<T> next, Vec3<T> last) WEFT_LANE {
+          const Vec3<T> area = cross(next - here, last - here);
+          return TriangleShare<T>{area, magnitude(area.x) + magnitude(area.y) + magnitude(area.z)};
+        },
+        sum, size);
+    lanes.each([&](int l) WEFT_LANE { store(out, i0 + l, unit_or_zero(sum.get(l), size[l])); });
   }
 };
 

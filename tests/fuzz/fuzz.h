@@ -36,4 +36,8 @@ inline void require_sound(const weft::io::Mesh& mesh) {
   require(!mesh.positions.empty() && mesh.triangles.size() % 3 == 0);
   for (const weft::double3& p : mesh.positions) require(is_finite(p));
   for (const uint32_t v : mesh.triangles) require(v < mesh.positions.size());
+  require(mesh.faces.empty() || mesh.faces.size() == mesh.triangles.size() / 3);
+  for (const weft::Spring& s : mesh.lines) {
+    require(s.a < mesh.positions.size() && s.b < mesh.positions.size() && s.a != s.b);
+  }
 }

@@ -91,6 +91,7 @@ static void outputs_and_time(weft_context* context) {
   const weft_double3 square[] = {{0, 0, 0}, {1, 0, 0}, {1, 0, 1}, {0, 0, 1}};
   const uint32_t triangles[] = {0, 2, 1, 0, 3, 2};
   const weft_spring springs[] = {{0, 1, -1, -1}, {1, 2, -1, -1}};
+  const weft_spring brace = {1, 3, -1, -1};
   const weft_points points = {square, 4, sizeof square[0], true};
   const weft_vertex_force force = {2, {0, 0.1, 0}};
   const uint32_t first = 0;
@@ -136,6 +137,8 @@ static void outputs_and_time(weft_context* context) {
            weft_view_of(square, SIZE_MAX, 1).count == UINT32_MAX,
        "views");
   mesh.indices = ground.indices = WEFT_VIEW(triangles, 6);
+  mesh.springs = view(&brace, 1, sizeof brace);
+  ground.weld_distance = 1e-3;
   network.springs = view(springs, 2, sizeof springs[0]);
   must(weft_cook_mesh(context, &mesh, &fabric), "mesh");
   must(weft_cook_network(context, &network, &net), "network");
@@ -218,6 +221,10 @@ static void outputs_and_time(weft_context* context) {
   draw.line = count_line;
   must(weft_draw(world, &draw), "draw");
   hold(lines > 30, "lines");
+  hold(weft_fabric_springs(fabric) == 6, "five edges and the brace between them");
+  hold(weft_collider_mesh_diagnostics(collider_mesh) == 0 &&
+           weft_collider_mesh_diagnostic(collider_mesh, 0).text == NULL,
+       "a collider mesh without remarks");
   hold(weft_fabric_render_vertices(fabric) == 4 && weft_fabric_diagnostics(fabric) == 0 &&
            weft_fabric_diagnostic(fabric, 0).text == NULL,
        "diagnostics");

@@ -213,6 +213,14 @@ weft_diagnostic weft_fabric_diagnostic(const weft_fabric* f, uint32_t index) {
   const Diagnostic& d = f->fabric.diagnostics()[index];
   return {static_cast<uint8_t>(d.severity), d.element, d.text};
 }
+uint32_t weft_collider_mesh_diagnostics(const weft_collider_mesh* m) {
+  return m ? m->mesh.diagnostics().count : 0;
+}
+weft_diagnostic weft_collider_mesh_diagnostic(const weft_collider_mesh* m, uint32_t index) {
+  if (index >= weft_collider_mesh_diagnostics(m)) return {};
+  const Diagnostic& d = m->mesh.diagnostics()[index];
+  return {static_cast<uint8_t>(d.severity), d.element, d.text};
+}
 void weft_collider_mesh_release(weft_collider_mesh* m) { take_back(m); }
 
 weft_status weft_world_create(weft_context* c, const weft_world_desc* desc, weft_world** out) {

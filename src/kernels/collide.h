@@ -223,6 +223,9 @@ struct CollideStage {
                           Lanes<N> lanes) const {
     const Contact<T, Position, Shape, Placement> contact{sim.inverse_mass, p,   shape,
                                                          before,           now, step.ratio};
+    if constexpr (Position) {
+      lanes.each([&](int l) WEFT_LANE { contact.take_back_throw(i0 + l); });
+    }
     if constexpr (IsSwept<Shape>::value) {
       const bool fast = lanes.any([&](int l) WEFT_LANE { return contact.is_fast(i0 + l); });
       if (fast) stop_at_entry(contact, i0, lanes);

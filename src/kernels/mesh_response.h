@@ -106,9 +106,10 @@ struct MeshResponse {
     const T held = part_held(sliding, most);
     const Vec3<T> drag = (-held) * sliding;
     // What lay on the surface and sticks there is where it was, to the last bit.
-    const T bent = magnitude(dot(sliding, turned(now, rotation * bend)));
-    const T above =
-        from_start ? magnitude(start_depth) - bent : magnitude(closing - dot(push, normal));
+    const T bent = from_start ? dot(sliding, turned(now, rotation * bend)) : T(0);
+    const T again = (held - T(0.5) * held * held) * bent;  // below a surface that is curved
+    const T above = from_start ? magnitude(start_depth) - magnitude(bent)
+                               : magnitude(closing - dot(push, normal));
     const bool lay = above <= rounding_of(x);
     const bool stopped = wanted.hit[l] > T(1);
     const bool holds = (magnitude2(sliding) <= most * most) & (most > T(0));
@@ -116,10 +117,10 @@ struct MeshResponse {
     const bool sticks = hit & lay & holds & went_on;
     // Of what was stopped on the way, only the velocity is braked.
     const Vec3<T> none{T(0), T(0), T(0)};
-    const Vec3<T> by = push + select(stopped, none, drag);
+    const Vec3<T> by = push + select(stopped, none, again * normal + drag);
     store(p.x_out, i, select(sticks, x0 + along, x + select(hit, by, none)));
     if constexpr (!Position) {
-      const Vec3<T> braked = d + select(hit, moved * normal + drag, none);
+      const Vec3<T> braked = d + select(hit, (moved + again) * normal + drag, none);
       store(p.d_out, i, select(sticks, along, braked));
     }
   }

@@ -171,7 +171,7 @@ struct CollideStage {
           mesh_contact(mesh.grid, from.get(l), to.get(l), sim.near_memory[i0 + l], number);
       if (!contact.hit) return;
       any = true;
-      wanted.hit[l] = contact.stopped ? T(2) : T(1);
+      wanted.hit[l] = contact.stopped ? T(2) : contact.slides ? T(3) : T(1);
       wanted.push.set(l, contact.to - to.get(l));
       wanted.normal.set(l, contact.normal);
       const StartOnMesh<T> start =

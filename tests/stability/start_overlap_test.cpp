@@ -143,7 +143,7 @@ TEST_P(StartOverlap, WhatGainsEnergyIsAnEvent) {
   for (int frame = 0; frame < 90; ++frame) {
     test.step(dt);
     stretches += told(test, weft::EventType::large_stretch);
-    energies += told(test, weft::EventType::large_energy);
+    energies += told(test, weft::EventType::energy_growth);
     const weft::View<weft::Event> events = test.world().events();
     for (uint32_t i = 0; i < events.count; ++i) {
       EXPECT_EQ(events[i].cloth.index, sheet.index);

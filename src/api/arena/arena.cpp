@@ -7,29 +7,13 @@
 #include "api/arena/collider_inputs.h"
 #include "api/arena/parts.h"
 #include "api/arena/pin_inputs.h"
+#include "api/arena/probe.h"
+#include "api/arena/spring_watcher.h"
 #include "api/arena/survey.h"
 
 namespace weft::api {
 
 namespace {
-
-/// Items of StretchWatch that a frame looks at: few enough to cost nothing beside its substeps.
-uint64_t watched_in_a_frame(uint64_t items) {
-  return std::min<uint64_t>(1024, std::max<uint64_t>(32, items / 16));
-}
-
-template <class Position>
-void look_at_springs(ClothRecord& cloth, uint64_t count, Position position) {
-  StretchWatch& watch = cloth.stretch;
-  const scene::CookedFabric& fabric = cloth.cooked();
-  if (watch.hair < 0) watch.hair = scene::least_rest(fabric);
-  const uint64_t end = std::min(scene::stretch_items(fabric), watch.next + count);
-  watch.now = {};
-  scene::add_stretches(fabric, watch.next, end, watch.hair, position, watch.now);
-  watch.longer_squares += watch.now.longer_squares;
-  watch.rest_squares += watch.now.rest_squares;
-  watch.next = end;
-}
 
 template <class T>
 class ArenaOf final : public Arena {
@@ -90,84 +74,35 @@ class ArenaOf final : public Arena {
 
   Status watch_stretch(const ArenaInput& in) override {
     const bool host = backend_.info().host_memory;
-    // What must be fetched is looked at as a whole, and rarely.
-    if (!host && ++frames_unwatched_ < 64) return Status::ok;
-    frames_unwatched_ = 0;
+    if (!host && !springs_.is_due()) return Status::ok;
     for (ClothRecord* cloth : in.cloths) {
       if (cloth->asleep) continue;
-      const scene::CookedFabric& fabric = cloth->cooked();
-      const auto at = [&](const T* p, size_t pitch) {
-        return double3{p[0], p[pitch], p[2 * pitch]};
+      const auto fetched = [&](std::vector<Vec3<T>>& out) {
+        return fetch(sim_.x[0], cloth->first(), cloth->cooked().vertices, out);
       };
-      if (host) {
-        const T* from = sim_.x[0].data + int64_t(cloth->first()) * stride();
-        const size_t step = size_t(stride()), pitch = sim_.x[0].pitch;
-        const uint64_t count = watched_in_a_frame(scene::stretch_items(fabric));
-        look_at_springs(*cloth, count,
-                        [&](uint32_t v) { return at(from + fabric.storage(v) * step, pitch); });
-      } else {
-        const Status status = fetch(sim_.x[0], cloth->first(), fabric.vertices, watched_);
-        if (status != Status::ok) return status;
-        look_at_springs(*cloth, scene::stretch_items(fabric),
-                        [&](uint32_t v) { return at(&watched_[fabric.storage(v)].x, 1); });
-      }
+      const Status status = host ? springs_.look_at(*cloth, sim_.x[0], size_t(stride()))
+                                 : springs_.look_at_all(*cloth, fetched);
+      if (status != Status::ok) return status;
     }
     return Status::ok;
   }
 
   Status probe(const ArenaInput& in, const FrameInput& input) override {
-    const int64_t elements = int64_t(sim_.blocks) * block_size;
-    Vec3Array<T> x{}, d{};
-    const auto cut = [&](char* base) {
-      plan::Cutter cutter(base, static_cast<size_t>(stride()));
-      cutter(x, elements);
-      cutter(d, elements);
-      return cutter.bytes();
-    };
-    const size_t bytes = cut(nullptr);
-    void* memory = backend_.allocate(context_.memory.hooks(), bytes);
-    if (!memory) {
-      return context_.fail(
-          Status::out_of_memory,
-          text("no %zu bytes of device memory (velocities need them) make the scene smaller",
-               bytes));
-    }
-    cut(static_cast<char*>(memory));
     Status status = colliders_.upload(in, input, device_);
     if (status == Status::ok) status = pins_.upload(in, input, device_.sim.pins);
+    if (status != Status::ok) return status;
     Frame<T> frame = make_frame(in, input);
-    const Vec3Array<T> moved = position_form_ ? x : d;
-    frame.sim.activity = nullptr;  // no colliders
-    if (status == Status::ok) status = backend_.probe(frame, x, d);
-    if (status == Status::ok) status = fetch(moved, 0, size_t(elements), probed_free_);
-    frame.sim.activity = device_.sim.activity;
     frame.by_block = colliders_.by_block();
-    if (status == Status::ok) status = backend_.probe(frame, x, d);
-    if (status == Status::ok) status = fetch(moved, 0, size_t(elements), probed_);
-    backend_.release(context_.memory.hooks(), memory, bytes);
-    return status;
+    frame.sim.activity = device_.sim.activity;
+    return probe_.run(context_, frame, [&](const Vec3Array<T>& from, std::vector<Vec3<T>>& out) {
+      return fetch(from, 0, size_t(sim_.blocks) * block_size, out);
+    });
   }
-
   Status read_probe(const ClothRecord& cloth, std::vector<Probed>& out) override {
-    const uint32_t vertices = cloth.cooked().vertices;
     std::vector<Vec3<T>> now;
-    if (position_form_) {
-      const Status status = fetch(sim_.x[0], cloth.first(), vertices, now);
-      if (status != Status::ok) return status;
-    }
-    const bool tethered = TethersPart::used(cloth);
-    out.resize(vertices);
-    for (uint32_t v = 0; v < vertices; ++v) {
-      const uint32_t s = cloth.cooked().storage(v);
-      const Vec3<T>&with = probed_[size_t(cloth.first()) + s],
-            &without = probed_free_[size_t(cloth.first()) + s];
-      const bool same = with.x == without.x && with.y == without.y && with.z == without.z;
-      out[v] = {{with.x, with.y, with.z}, tethered || !same};
-      if (position_form_) {
-        out[v].displacement = minus(out[v].displacement, {now[s].x, now[s].y, now[s].z});
-      }
-    }
-    return Status::ok;
+    const Status status = fetch(sim_.x[0], cloth.first(), cloth.cooked().vertices, now);
+    if (status == Status::ok) probe_.read(cloth, position_form_ ? now.data() : nullptr, out);
+    return status;
   }
 
   Status normals(const ArenaInput& in, Workers workers) override {
@@ -474,9 +409,8 @@ class ArenaOf final : public Arena {
 
   std::vector<ClothParams<T>> params_;
   std::vector<Survey<T>> found_;
-  std::vector<Vec3<T>> watched_;  ///< device memory alone
-  int frames_unwatched_ = 0;
-  std::vector<Vec3<T>> probed_, probed_free_;  ///< of the last probe, as the form keeps it
+  SpringWatcher<T> springs_;
+  Probe<T> probe_;
   ColliderInputs<T> colliders_;
   PinInputs<T> pins_;
 };

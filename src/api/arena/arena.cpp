@@ -5,6 +5,7 @@
 
 #include "api/arena/fill.h"
 #include "api/arena/collider_inputs.h"
+#include "api/arena/overflow.h"
 #include "api/arena/parts.h"
 #include "api/arena/pin_inputs.h"
 #include "api/arena/probe.h"
@@ -73,18 +74,11 @@ class ArenaOf final : public Arena {
   }
 
   Status watch_stretch(const ArenaInput& in) override {
-    const bool host = backend_.info().host_memory;
-    if (!host && !springs_.is_due()) return Status::ok;
-    for (ClothRecord* cloth : in.cloths) {
-      if (cloth->asleep) continue;
-      const auto fetched = [&](std::vector<Vec3<T>>& out) {
-        return fetch(sim_.x[0], cloth->first(), cloth->cooked().vertices, out);
-      };
-      const Status status = host ? springs_.look_at(*cloth, sim_.x[0], size_t(stride()))
-                                 : springs_.look_at_all(*cloth, fetched);
-      if (status != Status::ok) return status;
-    }
-    return Status::ok;
+    const Vec3Array<T>* on_host = backend_.info().host_memory ? &sim_.x[0] : nullptr;
+    const auto fetched = [&](const ClothRecord& cloth, std::vector<Vec3<T>>& out) {
+      return fetch(sim_.x[0], cloth.first(), cloth.cooked().vertices, out);
+    };
+    return springs_.look(in, on_host, size_t(stride()), fetched);
   }
 
   Status probe(const ArenaInput& in, const FrameInput& input) override {
@@ -93,7 +87,6 @@ class ArenaOf final : public Arena {
     if (status != Status::ok) return status;
     Frame<T> frame = make_frame(in, input);
     frame.by_block = colliders_.by_block();
-    frame.sim.activity = device_.sim.activity;
     return probe_.run(context_, frame, [&](const Vec3Array<T>& from, std::vector<Vec3<T>>& out) {
       return fetch(from, 0, size_t(sim_.blocks) * block_size, out);
     });
@@ -198,25 +191,7 @@ class ArenaOf final : public Arena {
   }
 
   Status force_overflow(ForceOverflow& found) override {
-    found = {};
-    const Edges<T>& edges = device_.sim.edges;
-    if (!edges.overflow) return Status::ok;
-    unsigned long long key = no_overflow;
-    Status status = backend_.to_host(&key, edges.overflow, sizeof key);
-    if (status != Status::ok || key == no_overflow) return status;
-    found.happened = true;
-    found.substep = static_cast<int>(key >> 32);
-    const auto e = static_cast<size_t>(key & 0xffffffffu);
-    T stiffness{}, rest{};
-    status = backend_.to_host(&found.a, edges.a + e, sizeof found.a);
-    if (status == Status::ok) status = backend_.to_host(&found.b, edges.b + e, sizeof found.b);
-    if (status == Status::ok) {
-      status = backend_.to_host(&stiffness, edges.stiffness + e, sizeof stiffness);
-    }
-    if (status == Status::ok) status = backend_.to_host(&rest, edges.rest + e, sizeof rest);
-    found.stiffness = static_cast<double>(stiffness);
-    found.rest = static_cast<double>(rest);
-    return status;
+    return find_overflow(backend_, device_.sim.edges, found);
   }
 
   uint64_t bytes() const override { return device_.bytes; }

@@ -10,26 +10,25 @@ namespace weft::api {
 template <class T>
 class SpringWatcher {
  public:
-  /// Where the host can read the positions `x` of the device.
-  Status look_at(ClothRecord& cloth, const Vec3Array<T>& x, size_t stride) {
-    const uint64_t items = scene::stretch_items(cloth.cooked());
-    const uint64_t count = std::min<uint64_t>(1024, std::max<uint64_t>(32, items / 16));
-    look(cloth, count, x.data + size_t(cloth.first()) * stride, stride, x.pitch);
-    return Status::ok;
-  }
-
-  /// What must be fetched first is looked at as a whole, and rarely: whether it is time.
-  bool is_due() {
-    if (++frames_ < 64) return false;
-    frames_ = 0;
-    return true;
-  }
+  /// At the positions that the host can read on the device; null: `fetch` reads those of a cloth.
+  /// What must be fetched first is looked at as a whole, and rarely.
   template <class Fetch>
-  Status look_at_all(ClothRecord& cloth, Fetch fetch) {
-    const Status status = fetch(fetched_);
-    if (status != Status::ok || fetched_.empty()) return status;
-    look(cloth, scene::stretch_items(cloth.cooked()), &fetched_[0].x, 3, 1);
-    return status;
+  Status look(const ArenaInput& in, const Vec3Array<T>* x, size_t stride, Fetch fetch) {
+    if (!x && ++frames_ < 64) return Status::ok;
+    frames_ = 0;
+    for (ClothRecord* cloth : in.cloths) {
+      if (cloth->asleep) continue;
+      const uint64_t items = scene::stretch_items(cloth->cooked());
+      if (x) {
+        const uint64_t count = std::min<uint64_t>(1024, std::max<uint64_t>(32, items / 16));
+        look(*cloth, count, x->data + size_t(cloth->first()) * stride, stride, x->pitch);
+        continue;
+      }
+      const Status status = fetch(*cloth, fetched_);
+      if (status != Status::ok) return status;
+      if (!fetched_.empty()) look(*cloth, items, &fetched_[0].x, 3, 1);
+    }
+    return Status::ok;
   }
 
  private:

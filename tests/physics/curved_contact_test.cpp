@@ -42,7 +42,7 @@ Triangles revolved(const std::vector<std::pair<double, double>>& profile, int ar
 /// With caps of half balls that begin `half` away from the middle; 0 is a ball.
 std::vector<std::pair<double, double>> rounded(double radius, double half) {
   std::vector<std::pair<double, double>> profile{{0, -half - radius}};
-  const int parts = 40;
+  const int parts = 16;
   for (int k = 1 - parts; k < parts; ++k) {
     const double angle = pi / 2 * k / parts;
     if (k == 0 && half > 0) profile.push_back({radius, -half});
@@ -93,7 +93,7 @@ void add_round(TestWorld& test, Round shape, double friction) {
       return;
     }
     case Round::ball_mesh:
-      add_collider(test, revolved(rounded(inner, 0), around), thickness, true, mesh);
+      add_collider(test, revolved(rounded(inner, 0), 100), thickness, true, mesh);
       return;
     case Round::capsule_mesh:
       add_collider(test, revolved(rounded(inner, half), around), thickness, true, mesh);
@@ -195,9 +195,10 @@ TEST_P(CurvedContact, ABeadOnATetherOfRubberKeepsItsSpeedOnEveryShape) {
       const double energy = test.mechanics().kinetic + test.mechanics().elastic;
       test.step(1.0 / 120, 600);
       const bool mesh = int(shape) >= int(Round::ball_mesh);
-      EXPECT_NEAR(length(test.velocities(bead)[1]), 1.5, mesh ? 0.03 : 0.003);
-      EXPECT_LE(test.mechanics().kinetic + test.mechanics().elastic, 1.003 * energy);
-      EXPECT_NEAR(length(test.position(bead, 1) - middle), radius, 1e-4);
+      EXPECT_NEAR(length(test.velocities(bead)[1]), 1.5, mesh ? 0.12 : 0.003);
+      EXPECT_LE(test.mechanics().kinetic + test.mechanics().elastic,
+                (mesh ? 1.02 : 1.003) * energy);
+      EXPECT_NEAR(length(test.position(bead, 1) - middle), radius, mesh ? 1e-3 : 1e-4);
     }
 }
 

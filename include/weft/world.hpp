@@ -187,9 +187,10 @@ enum class EventType : uint8_t {
   time_dropped,      ///< max_steps_per_advance or max_substeps: Stats::time_dropped has grown
   force_overflow,    ///< a spring force left the range of Accumulate::fixed64; `vertex` is an end
   large_stretch,  ///< a spring is stretched by more than 10 times its rest length; `vertex` is an
-                  ///< end. Once, until all are below it. Some springs are looked at after a
-                  ///< step, all of 16,000 vertices or triangles within 16 steps
-  large_energy,   ///< the springs of a cloth are stretched to 3 times their length on average
+                  ///< end. Once, until all are below it. A sixteenth of a cloth's springs, or
+                  ///< those of 1,024 vertices or triangles, is looked at after each step
+  energy_growth,  ///< the springs of a cloth are stretched by twice their rest lengths in the
+                  ///< mean square: it gains energy from nothing. Once, until they are not
 };
 WEFT_API const char* to_string(EventType) noexcept;
 struct Event {
@@ -400,7 +401,10 @@ class WEFT_API World {
   /// World positions, m, one per vertex; `stride` bytes apart (at least the size of a point).
   Status read_positions(ClothId, double3* out, uint32_t stride = sizeof(double3)) noexcept;
   Status read_positions(ClothId, float3* out, uint32_t stride = sizeof(float3)) noexcept;
-  /// d/dt + a dt/2, m/s: second order at the time of the positions. Pins: their motion.
+  /// m/s. d/dt + a dt/2: second order at the time of the positions. Where a collider or a tether
+  /// holds a vertex, the mean of its last displacement and of the next over dt: 0 at rest, and the
+  /// collider's own where it goes along. Pins: their motion. Of a cloth that sleeps: 0. Makes two
+  /// substeps aside in a world with colliders or tethers, once for all cloths.
   Status read_velocities(ClothId, double3* out) noexcept;
   /// Unit normals of the vertices, weighted by the areas of their triangles; zero where there is no
   /// area. Of networks: zero.

@@ -218,7 +218,7 @@ struct CollideStage {
           mesh_contact(mesh.grid, from.get(l), to.get(l), sim.near_memory[i0 + l], number);
       if (!contact.hit) return;
       any = true;
-      wanted.hit[l] = contact.stopped ? T(2) : T(1);
+      wanted.hit[l] = contact.stopped ? T(2) : contact.slides ? T(3) : T(1);
       wanted.push.set(l, contact.to - to.get(l));
       wanted.normal.set(l, contact.normal);
       const StartOnMesh<T> start =
@@ -270,6 +270,9 @@ struct CollideStage {
                           Lanes<N> lanes) const {
     const Contact<T, Position, Shape, Placement> contact{sim.inverse_mass, p,   shape,
                                                          before,           now, step.ratio};
+    if constexpr (Position) {
+      lanes.each([&](int l) WEFT_LANE { contact.take_back_throw(i0 + l); });
+    }
     if constexpr (IsSwept<Shape>::value) {
       const bool fast = lanes.any([&](int l) WEFT_LANE { return contact.is_fast(i0 + l); });
       if (fast) stop_at_entry(contact, i0, lanes);

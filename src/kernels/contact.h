@@ -90,7 +90,7 @@ struct Contact {
   WEFT_HD void push_out(int i) const {
     const Vec3<T> x0 = load(p.x_in, i), along = carried(before, now, x0);
     const WayOut<T> start = way_out(shape, at_start(before, x0));
-    const Vec3<T> x = moved_without_throw(i, start, x0, along), p1 = at_start(now, x);
+    const Vec3<T> x = load(p.x_out, i), p1 = at_start(now, x);
     const bool free = inverse_mass[i] > T(0), inside = is_inside(shape, p1);
     const WayOut<T> out = way_out(shape, p1);
     const bool meets = free & inside;
@@ -105,52 +105,48 @@ struct Contact {
     const T per_depth = T(1) / (held_back ? T(1) : cosine);
     const Vec3<T> d = displacement_of(i, x), slip = d - along;
     const T across = dot(slip, normal);
-    const T push = per_depth * depth;
     const T made = per_depth * larger(T(0), depth - before_depth);  // in this substep
     const T moved = held_back ? stopped_displacement(depth, across) : made;
     const T most = shape.surface.friction * moved;
     const Vec3<T> sliding = slip - across * normal;
     const T held = part_held(sliding, most);
     const Vec3<T> drag = (-held) * sliding;
-    // What lay on the surface and sticks there is where it was, to the last bit. Along a curved
-    // surface it lies as deep as the slide that was taken back would have bent.
-    const bool flat = cosine == T(1);
-    const T bent = held_back ? T(0) : magnitude(dot(sliding, turned(now, bend)));
-    const T rounding = rounding_of(p1) + bent;
+    // A slide that is taken back leads below a surface that is curved.
+    const T bent = held_back ? T(0) : dot(sliding, turned(now, bend));
+    const T again = (held - T(0.5) * held * held) * bent;
+    // What lay on the surface and sticks there is where it was, to the last bit.
+    const bool flat = !(magnitude2(bend) > T(0));
+    const T rounding = rounding_of(p1) + magnitude(bent);
     const T above = flat ? -across - depth : -start.depth;
     const bool lay = (before_depth <= rounding) & (above <= rounding);
     const bool holds = (magnitude2(sliding) <= most * most) & (most > T(0));
     const bool hit = depth > T(0), sticks = meets & lay & holds;
     const Vec3<T> none{T(0), T(0), T(0)};
-    const Vec3<T> pushed = x + select(hit, push * normal + drag, none);
+    const Vec3<T> pushed = x + select(hit, (per_depth * depth + again) * normal + drag, none);
     store(p.x_out, i, select(sticks, x0 + along, pushed));
     if constexpr (!Position) {
-      const Vec3<T> braked = d + select(hit, moved * normal + drag, none);
+      const Vec3<T> braked = d + select(hit, (moved + again) * normal + drag, none);
       store(p.d_out, i, select(sticks, along, braked));
     }
+  }
+
+  /// In the position form the way out of deep inside is the displacement that the next substep
+  /// begins with: it is taken back. The collider is taken to have moved as it does now.
+  WEFT_HD void take_back_throw(int i) const {
+    const Vec3<T> x0 = load(p.x_in, i), along = carried(before, now, x0), x = load(p.x_out, i);
+    const Vec3<T> previous = load(p.d_in, i) + along, p_previous = at_start(before, previous);
+    const WayOut<T> start = way_out(shape, at_start(before, x0));
+    const T surface = surface_of(p_previous);
+    const Vec3<T> normal = turned(before, start.normal);
+    const T thrown = larger(T(0), dot(x0 - previous, normal));
+    const bool was_deep = (way_out(shape, p_previous).depth > surface) & (start.depth <= surface);
+    const bool takes = was_deep & (inverse_mass[i] > T(0));
+    store(p.x_out, i, x - select(takes, (ratio * thrown) * normal, Vec3<T>{T(0), T(0), T(0)}));
   }
 
  private:
   /// How near to the surface a particle counts as being at it: rounding, or a trifle of the size.
   WEFT_HD T surface_of(Vec3<T> p0) const { return T(1e-3) * shape.surface.sweep + rounding_of(p0); }
-  /// Where the particle has come to. In the position form the last way out of deep inside is the
-  /// displacement that this substep began with: it is taken back.
-  WEFT_HD Vec3<T> moved_without_throw(int i, const WayOut<T>& start, Vec3<T> x0,
-                                      Vec3<T> along) const {
-    const Vec3<T> x = load(p.x_out, i);
-    if constexpr (!Position) {
-      return x;
-    } else {
-      // The collider is taken to have moved as it does now.
-      const Vec3<T> previous = load(p.d_in, i) + along, p_previous = at_start(before, previous);
-      const T depth = way_out(shape, p_previous).depth, surface = surface_of(p_previous);
-      const Vec3<T> normal = turned(before, start.normal);
-      const T thrown = larger(T(0), dot(x0 - previous, normal));
-      const bool was_deep = (depth > surface) & (start.depth <= surface);
-      const bool free = inverse_mass[i] > T(0);
-      return x - select(free & was_deep, (ratio * thrown) * normal, Vec3<T>{T(0), T(0), T(0)});
-    }
-  }
   /// Where the way enters. A beginning a hair's breadth inside counts as at the surface; from
   /// deeper inside nothing is entered.
   WEFT_HD Entry<T> first_entry(Vec3<T> p0, Vec3<T> p1) const {

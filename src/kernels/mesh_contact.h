@@ -19,12 +19,13 @@ struct MeshContact {
   Vec3<T> normal;  ///< unit vector from the mesh to there
   bool stopped;    ///< it was caught on the way, and `to` is where it came in
   int32_t over;    ///< the triangle whose face is the nearest; -1: an edge, a corner or none
+  bool slides;     ///< it lay on the surface, went far, and is pushed along the normal there
   bool plain;      ///< the push is along the normal, from outside and from no other side
 };
 
 template <class T>
 WEFT_HD MeshContact<T> untouched(Vec3<T> x) {
-  return {false, x, {T(0), T(0), T(0)}, false, -1, false};
+  return {false, x, {T(0), T(0), T(0)}, false, -1, false, false};
 }
 
 /// The first triangle that a way goes through; `triangle` is -1 if there is none.
@@ -130,7 +131,7 @@ WEFT_HD_COLD Touch<T> touch(const TriangleGrid<T>& grid, const Nearest<T>& near,
   const bool at_surface = !(near.distance2 > T(1e-6) * grid.thickness * grid.thickness);
   const bool plain = !crossed && !near.inside && !at_surface;
   const int32_t over = near.feature < 0 ? near.triangle : -1;
-  return {{true, x + (grid.thickness * normal - away), normal, false, over, plain}, crossed};
+  return {{true, x + (grid.thickness * normal - away), normal, false, over, false, plain}, crossed};
 }
 
 /// The part of the way that lies in the grid, as shares of it.
@@ -187,17 +188,40 @@ WEFT_HD bool is_long(const TriangleGrid<T>& grid, Vec3<T> way) {
   return dot(way, way) > short_way * short_way;
 }
 
+/// A long way that begins on the surface, and into it, slides: along the tangent there, and back to
+/// the surface along the normal there. What it meets on the tangent stops it.
+template <class T>
+WEFT_HD_COLD MeshContact<T> far(const TriangleGrid<T>& grid, Vec3<T> p0, Vec3<T> p1,
+                                const NearMemory<T>& memory, int32_t mesh) {
+  const Nearest<T> start = nearest_about(grid, p0, memory, mesh);
+  const T distance = square_root(start.distance2), above = distance - grid.thickness;
+  const T trifle = T(0.01) * grid.thickness;
+  if (start.triangle < 0 || start.inside || magnitude(above) > trifle) return sweep(grid, p0, p1);
+  const Vec3<T> normal = (T(1) / distance) * start.away;
+  const T into = dot(p1 - p0, normal);
+  if (!(into < T(0))) return sweep(grid, p0, p1);
+  const Vec3<T> end = p1 - into * normal, lift = (T(2) * trifle - above) * normal;
+  const MeshContact<T> other = sweep(grid, p0 + lift, end + lift);
+  if (other.hit) return other;
+  const Nearest<T> near = nearest_about(grid, end, memory, mesh);
+  const T left = square_root(near.distance2), gap = left - grid.thickness;
+  const T cosine = dot(normal, near.away) / (left > T(0) ? left : T(1));
+  const bool lands = near.triangle >= 0 && !near.inside && cosine > T(0.5);
+  const T back = lands ? smaller(gap / cosine, -into) : T(0);
+  return {true, end - back * normal, normal, false, -1, true, false};
+}
+
 /// Contact of a particle that moves from p0 to p1, both in the mesh's own frame.
 template <class T>
 WEFT_HD MeshContact<T> mesh_contact(const TriangleGrid<T>& grid, Vec3<T> p0, Vec3<T> p1) {
-  if (is_long(grid, p1 - p0)) return sweep(grid, p0, p1);
+  if (is_long(grid, p1 - p0)) return far(grid, p0, p1, NearMemory<T>{}, 1);
   return touch(grid, nearest(grid, p1), p0, p1).contact;
 }
 /// The same with the memory of the particle; `mesh` names the collider in it.
 template <class T>
 WEFT_HD MeshContact<T> mesh_contact(const TriangleGrid<T>& grid, Vec3<T> p0, Vec3<T> p1,
                                     NearMemory<T>& memory, int32_t mesh) {
-  if (is_long(grid, p1 - p0)) return sweep(grid, p0, p1);
+  if (is_long(grid, p1 - p0)) return far(grid, p0, p1, memory, mesh);
   const Nearest<T> near = nearest(grid, p1, memory, mesh);
   if (near.triangle < 0) return untouched(p1);
   return touch(grid, near, p0, p1).contact;

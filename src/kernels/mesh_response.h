@@ -65,7 +65,8 @@ struct MeshPushes {
   LaneVec3<T, N> push, normal;  ///< in the mesh's own frame
   LaneVec3<T, N> start;         ///< normal where the substep began, or as `normal`
   T start_depth[N];             ///< m below the thickness there
-  T hit[N];                     ///< 0: nothing; 1: goes to the thickness; 2: was stopped on the way
+  T hit[N];  ///< 0: nothing; 1: goes to the thickness; 2: was stopped on the way;
+             ///< 3: slid far
 };
 
 /// Vectorised over the lanes. `Position`: the displacement is kept as the previous position.
@@ -95,7 +96,8 @@ struct MeshResponse {
     const T made = per_depth * larger(T(0), depth - larger(T(0), start_depth));
     const bool adds = made > T(-2) * dot(slip, start_now);
     const bool flat = !(magnitude2(bend) > T(0));
-    const bool from_start = !(flat | adds | (cosine < T(0.5)));
+    const bool slid = wanted.hit[l] > T(2);
+    const bool from_start = slid | !(flat | adds | (cosine < T(0.5)));
     const Vec3<T> normal = select(from_start, start_now, turned(now, rotation * end));
     const Vec3<T> push =
         select(from_start, (per_depth * depth) * start_now, turned(now, rotation * whole));
@@ -106,20 +108,20 @@ struct MeshResponse {
     const T held = part_held(sliding, most);
     const Vec3<T> drag = (-held) * sliding;
     // What lay on the surface and sticks there is where it was, to the last bit.
-    const T bent = magnitude(dot(sliding, turned(now, rotation * bend)));
-    const T above =
-        from_start ? magnitude(start_depth) - bent : magnitude(closing - dot(push, normal));
+    const T bent = from_start ? dot(sliding, turned(now, rotation * bend)) : T(0);
+    const T again = (held - T(0.5) * held * held) * bent;  // below a surface that is curved
+    const T above = from_start ? magnitude(start_depth) - magnitude(bent)
+                               : magnitude(closing - dot(push, normal));
     const bool lay = above <= rounding_of(x);
-    const bool stopped = wanted.hit[l] > T(1);
+    const bool stopped = (wanted.hit[l] > T(1)) & !slid;
     const bool holds = (magnitude2(sliding) <= most * most) & (most > T(0));
-    const bool went_on = wanted.hit[l] < T(2);
-    const bool sticks = hit & lay & holds & went_on;
+    const bool sticks = hit & lay & holds & !stopped;
     // Of what was stopped on the way, only the velocity is braked.
     const Vec3<T> none{T(0), T(0), T(0)};
-    const Vec3<T> by = push + select(stopped, none, drag);
+    const Vec3<T> by = push + select(stopped, none, again * normal + drag);
     store(p.x_out, i, select(sticks, x0 + along, x + select(hit, by, none)));
     if constexpr (!Position) {
-      const Vec3<T> braked = d + select(hit, moved * normal + drag, none);
+      const Vec3<T> braked = d + select(hit, (moved + again) * normal + drag, none);
       store(p.d_out, i, select(sticks, along, braked));
     }
   }

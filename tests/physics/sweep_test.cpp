@@ -70,8 +70,10 @@ TEST_P(Sweep, ACapsuleIsHitOnItsSideAndOnItsEnds) {
       expect_stop(GetParam(), side, ahead, 0.2 * speed * dt, speed, create);
       expect_stop(GetParam(), side - 0.5 * half * beside, slant * (ahead + beside),
                   0.2 * speed * dt, speed, create);
-      const Vec end = line - (half + chord) * beside;
-      expect_stop(GetParam(), end, beside, 0.2 * speed * dt, speed, create);
+      for (const double towards : {1.0, -1.0}) {  // either end
+        const Vec end = line - towards * (half + chord) * beside;
+        expect_stop(GetParam(), end, towards * beside, 0.2 * speed * dt, speed, create);
+      }
     }
 }
 

@@ -5,47 +5,16 @@
 
 #include "api/arena/fill.h"
 #include "api/arena/collider_inputs.h"
+#include "api/arena/overflow.h"
 #include "api/arena/parts.h"
 #include "api/arena/pin_inputs.h"
+#include "api/arena/probe.h"
+#include "api/arena/spring_watcher.h"
 #include "api/arena/survey.h"
 
 namespace weft::api {
 
 namespace {
-
-/// Items of StretchWatch that a frame looks at: few enough to cost nothing beside its substeps.
-uint64_t watched_in_a_frame(uint64_t items) {
-  return std::min<uint64_t>(1024, std::max<uint64_t>(32, items / 16));
-}
-
-template <class Position>
-void look_at_springs(ClothRecord& cloth, uint64_t count, Position position) {
-  StretchWatch& watch = cloth.stretch;
-  const scene::CookedFabric& fabric = cloth.cooked();
-  if (watch.hair < 0) watch.hair = scene::least_rest(fabric);
-  const uint64_t end = std::min(scene::stretch_items(fabric), watch.next + count);
-  watch.now = {};
-  scene::add_stretches(fabric, watch.next, end, watch.hair, position, watch.now);
-  watch.longer_squares += watch.now.longer_squares;
-  watch.rest_squares += watch.now.rest_squares;
-  watch.next = end;
-}
-
-/// Device memory for as long as a call lasts; null: there was none.
-struct Scratch {
-  Scratch(const Backend& device, const Allocator& hooks, size_t size)
-      : backend(device), host(hooks), bytes(size), memory(device.allocate(host, bytes)) {}
-  ~Scratch() {
-    if (memory) backend.release(host, memory, bytes);
-  }
-  Scratch(const Scratch&) = delete;
-  Scratch& operator=(const Scratch&) = delete;
-
-  const Backend& backend;
-  Allocator host;
-  size_t bytes;
-  void* memory;
-};
 
 template <class T>
 class ArenaOf final : public Arena, public HostObject {
@@ -104,84 +73,28 @@ class ArenaOf final : public Arena, public HostObject {
   }
 
   Status watch_stretch(const ArenaInput& in) override {
-    const bool host = backend_.info().host_memory;
-    // What must be fetched is looked at as a whole, and rarely.
-    if (!host && ++frames_unwatched_ < 64) return Status::ok;
-    frames_unwatched_ = 0;
-    for (ClothRecord* cloth : in.cloths) {
-      if (cloth->asleep) continue;
-      const scene::CookedFabric& fabric = cloth->cooked();
-      const auto at = [&](const T* p, size_t pitch) {
-        return double3{p[0], p[pitch], p[2 * pitch]};
-      };
-      if (host) {
-        const T* from = sim_.x[0].data + int64_t(cloth->first()) * stride();
-        const size_t step = size_t(stride()), pitch = sim_.x[0].pitch;
-        const uint64_t count = watched_in_a_frame(scene::stretch_items(fabric));
-        look_at_springs(*cloth, count,
-                        [&](uint32_t v) { return at(from + fabric.storage(v) * step, pitch); });
-      } else {
-        const Status status = fetch(sim_.x[0], cloth->first(), fabric.vertices, watched_);
-        if (status != Status::ok) return status;
-        look_at_springs(*cloth, scene::stretch_items(fabric),
-                        [&](uint32_t v) { return at(&watched_[fabric.storage(v)].x, 1); });
-      }
-    }
-    return Status::ok;
+    const Vec3Array<T>* on_host = backend_.info().host_memory ? &sim_.x[0] : nullptr;
+    const auto fetched = [&](const ClothRecord& cloth, Vector<Vec3<T>>& out) {
+      return fetch(sim_.x[0], cloth.first(), cloth.cooked().vertices, out);
+    };
+    return springs_.look(in, on_host, size_t(stride()), fetched);
   }
 
   Status probe(const ArenaInput& in, const FrameInput& input) override {
-    const int64_t elements = int64_t(sim_.blocks) * block_size;
-    Vec3Array<T> x{}, d{};
-    const auto cut = [&](char* base) {
-      plan::Cutter cutter(base, static_cast<size_t>(stride()));
-      cutter(x, elements);
-      cutter(d, elements);
-      return cutter.bytes();
-    };
-    const size_t bytes = cut(nullptr);
-    const Scratch scratch(backend_, context_.memory.hooks(), bytes);
-    if (!scratch.memory) {
-      return context_.fail(
-          Status::out_of_memory,
-          text("no %zu bytes of device memory (velocities need them) make the scene smaller",
-               bytes));
-    }
-    cut(static_cast<char*>(scratch.memory));
     Status status = colliders_.upload(in, input, device_);
     if (status == Status::ok) status = pins_.upload(in, input, device_.sim.pins);
+    if (status != Status::ok) return status;
     Frame<T> frame = make_frame(in, input);
-    const Vec3Array<T> moved = position_form_ ? x : d;
-    frame.sim.activity = nullptr;  // no colliders
-    if (status == Status::ok) status = backend_.probe(frame, x, d);
-    if (status == Status::ok) status = fetch(moved, 0, size_t(elements), probed_free_);
-    frame.sim.activity = device_.sim.activity;
     frame.by_block = colliders_.by_block();
-    if (status == Status::ok) status = backend_.probe(frame, x, d);
-    if (status == Status::ok) status = fetch(moved, 0, size_t(elements), probed_);
-    return status;
+    return probe_.run(context_, frame, [&](const Vec3Array<T>& from, Vector<Vec3<T>>& out) {
+      return fetch(from, 0, size_t(sim_.blocks) * block_size, out);
+    });
   }
-
   Status read_probe(const ClothRecord& cloth, Vector<Probed>& out) override {
-    const uint32_t vertices = cloth.cooked().vertices;
     Vector<Vec3<T>> now;
-    if (position_form_) {
-      const Status status = fetch(sim_.x[0], cloth.first(), vertices, now);
-      if (status != Status::ok) return status;
-    }
-    const bool tethered = TethersPart::used(cloth);
-    out.resize(vertices);
-    for (uint32_t v = 0; v < vertices; ++v) {
-      const uint32_t s = cloth.cooked().storage(v);
-      const Vec3<T>&with = probed_[size_t(cloth.first()) + s],
-            &without = probed_free_[size_t(cloth.first()) + s];
-      const bool same = with.x == without.x && with.y == without.y && with.z == without.z;
-      out[v] = {{with.x, with.y, with.z}, tethered || !same};
-      if (position_form_) {
-        out[v].displacement = minus(out[v].displacement, {now[s].x, now[s].y, now[s].z});
-      }
-    }
-    return Status::ok;
+    const Status status = fetch(sim_.x[0], cloth.first(), cloth.cooked().vertices, now);
+    if (status == Status::ok) probe_.read(cloth, position_form_ ? now.data() : nullptr, out);
+    return status;
   }
 
   Status normals(const ArenaInput& in, Workers workers) override {
@@ -281,25 +194,7 @@ class ArenaOf final : public Arena, public HostObject {
   }
 
   Status force_overflow(ForceOverflow& found) override {
-    found = {};
-    const Edges<T>& edges = device_.sim.edges;
-    if (!edges.overflow) return Status::ok;
-    unsigned long long key = no_overflow;
-    Status status = backend_.to_host(&key, edges.overflow, sizeof key);
-    if (status != Status::ok || key == no_overflow) return status;
-    found.happened = true;
-    found.substep = static_cast<int>(key >> 32);
-    const auto e = static_cast<size_t>(key & 0xffffffffu);
-    T stiffness{}, rest{};
-    status = backend_.to_host(&found.a, edges.a + e, sizeof found.a);
-    if (status == Status::ok) status = backend_.to_host(&found.b, edges.b + e, sizeof found.b);
-    if (status == Status::ok) {
-      status = backend_.to_host(&stiffness, edges.stiffness + e, sizeof stiffness);
-    }
-    if (status == Status::ok) status = backend_.to_host(&rest, edges.rest + e, sizeof rest);
-    found.stiffness = static_cast<double>(stiffness);
-    found.rest = static_cast<double>(rest);
-    return status;
+    return find_overflow(backend_, device_.sim.edges, found);
   }
 
   uint64_t bytes() const override { return device_.bytes; }
@@ -534,9 +429,8 @@ class ArenaOf final : public Arena, public HostObject {
 
   Vector<ClothParams<T>> params_;
   Vector<Survey<T>> found_;
-  Vector<Vec3<T>> watched_;  ///< device memory alone
-  int frames_unwatched_ = 0;
-  Vector<Vec3<T>> probed_, probed_free_;  ///< of the last probe, as the form keeps it
+  SpringWatcher<T> springs_;
+  Probe<T> probe_;
   ColliderInputs<T> colliders_;
   PinInputs<T> pins_;
 };

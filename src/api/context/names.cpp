@@ -100,8 +100,8 @@ const char* to_string(EventType type) noexcept {
       return "force_overflow";
     case EventType::large_stretch:
       return "large_stretch";
-    case EventType::large_energy:
-      return "large_energy";
+    case EventType::energy_growth:
+      return "energy_growth";
   }
   return "unknown";
 }

@@ -8,7 +8,7 @@
 #include "api/world/call_guard.h"
 #include "api/context/vector_math.h"
 #include "api/world/state.h"
-#include "base/stable_sort_host.h"
+#include "base/stable_sort_host.host.h"
 #include "scene/stability.h"
 
 namespace weft {
@@ -333,47 +333,6 @@ void World::Impl::tell_who_sleeps(api::ClothRecord& cloth) {
   cloth.told_asleep = cloth.asleep;
   events.push_back({cloth.asleep ? EventType::slept : EventType::woke, cloth.id, 0, time,
                     cloth.asleep ? "the cloth has come to rest" : "the cloth moves again"});
-}
-
-Status World::Impl::tell_of_stretch() {
-  const Status status = arena->watch_stretch(*built);
-  if (status != Status::ok) return status;
-  const auto tell = [&](EventType type, ClothId cloth, uint32_t vertex, const Text& words) {
-    events.push_back({type, cloth, vertex, time, nullptr}, words);
-  };
-  for (api::ClothRecord* cloth : built->cloths) {
-    if (cloth->asleep) continue;
-    api::StretchWatch& watch = cloth->stretch;
-    const scene::Stretches now = watch.now;
-    const bool beyond = now.largest > api::large_stretch;
-    watch.beyond |= beyond;
-    if (beyond && !watch.told_stretch) {
-      watch.told_stretch = true;
-      tell(EventType::large_stretch, cloth->id, now.a,
-           text("the spring %u-%u of cloth %u is %.6g m long (its rest length is %.6g m, and more "
-                "than 10 times that beyond it is no cloth) start without overlaps, move pins and "
-                "colliders slower, or lower `safety`",
-                now.a, now.b, cloth->id.index, now.length, now.rest));
-    }
-    watch.now = {};
-    if (watch.next < scene::stretch_items(cloth->cooked())) continue;
-    watch.told_stretch = watch.beyond;
-    const double mean =
-        watch.rest_squares > 0 ? std::sqrt(watch.longer_squares / watch.rest_squares) : 0;
-    const bool much = mean > api::large_mean_stretch;
-    if (much && !watch.told_energy) {
-      tell(EventType::large_energy, cloth->id, 0,
-           text("the springs of cloth %u are stretched by %.3g times their rest length on average "
-                "(more than 2: it gains energy from nothing) lower `safety`, give it damping, or "
-                "start without overlaps",
-                cloth->id.index, mean));
-    }
-    watch.told_energy = much;
-    watch.next = 0;
-    watch.beyond = false;
-    watch.longer_squares = watch.rest_squares = 0;
-  }
-  return Status::ok;
 }
 
 Status World::Impl::land() {

@@ -124,8 +124,7 @@ struct CollideStage {
     const Vec3<T> far{larger(magnitude(low.x), magnitude(high.x)),
                       larger(magnitude(low.y), magnitude(high.y)),
                       larger(magnitude(low.z), magnitude(high.z))};
-    const T reach = square_root(dot(far, far));
-    const T size = size_of(shape);
+    const T reach = span_of(far), size = size_of(shape);
     const T rounding =
         T(8) * (rounding_of(region.low) + rounding_of(region.high) + rounding_of(center) +
                 rounding_of(now.pivot) + rounding_of(Vec3<T>{reach, size, T(0)}));

@@ -129,6 +129,11 @@ WEFT_HD Box<T> grown(Box<T> s, T by) {
   s.half = s.half + Vec3<T>{by, by, by};
   return s;
 }
+/// At least the length of a vector, without a root.
+template <class T>
+WEFT_HD T span_of(Vec3<T> v) {
+  return larger(v.x, -v.x) + larger(v.y, -v.y) + larger(v.z, -v.z);
+}
 /// m: no point of the shape is further from its pivot, its middle; planes: no matter.
 template <class T>
 WEFT_HD T size_of(const Sphere<T>& s) {
@@ -140,7 +145,7 @@ WEFT_HD T size_of(const Plane<T>&) {
 }
 template <class T>
 WEFT_HD T size_of(const Capsule<T>& s) {
-  return s.radius + square_root(dot(s.axis, s.axis));
+  return s.radius + span_of(s.axis);
 }
 template <class T>
 WEFT_HD T size_of(const Cylinder<T>& s) {
@@ -148,7 +153,7 @@ WEFT_HD T size_of(const Cylinder<T>& s) {
 }
 template <class T>
 WEFT_HD T size_of(const Box<T>& s) {
-  return s.half.x + s.half.y + s.half.z;
+  return span_of(s.half);
 }
 /// Square of the largest factor by which the turn between two places moves a point, times its
 /// distance from the pivot.

@@ -106,8 +106,8 @@ void ColliderInputs<T>::follow(const ArenaInput& in, const FrameInput& input) {
       const ColliderPath path = path_of(c, input.time, input.substeps * input.dt);
       const SweptBounds bounds = swept_bounds(c, path);
       const double3 size = minus(bounds.high, bounds.low);
-      const double slack =
-          c.shape == ColliderShape::plane ? 0 : 1e-6 * std::max({size.x, size.y, size.z});
+      const double extent = std::max({size.x, size.y, size.z}) + bounds.radius;
+      const double slack = c.shape == ColliderShape::plane ? 0 : 1e-6 * extent;
       followed_.push_back({&c, path, bounds, path.turns ? column : -1, slack});
       see(followed_.back());
       if (c.can_turn) ++column;
@@ -232,9 +232,7 @@ size_t ColliderInputs<T>::find_near(const ClothRecord& cloth, double margin, dou
       near_[next] = index;
       near_bounds_[next] = {narrow<T>(box_low(minus(r.low, cloth.origin), by)),
                             narrow<T>(box_high(minus(r.high, cloth.origin), by)),
-                            narrow<T>(minus(r.center, cloth.origin)),
-                            static_cast<T>((r.radius + by) * (r.radius + by)),
-                            narrow<T>(r.normal),
+                            static_cast<T>((r.radius + by) * (r.radius + by)), narrow<T>(r.normal),
                             static_cast<T>(r.offset - inner(r.normal, cloth.origin) + by)};
       ++next;
     }

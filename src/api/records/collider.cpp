@@ -321,23 +321,33 @@ ColliderPath seen_from(const double3& place, const ColliderPath& path, const Col
 
 namespace {
 
-/// Half the edges of the box along the world's axes about a collider's middle.
+/// Half the edges of the box along the world's axes about a collider's middle, and what is rounded
+/// about it.
 double3 half_of(const ColliderRecord& c, const Placed& placed) {
-  const auto part = [](double along, double size) { return std::fabs(along) + size; };
-  double3 half{0, 0, 0};
+  const auto size = [](const double3& v) {
+    return double3{std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)};
+  };
+  if (c.shape == ColliderShape::sphere) return {0, 0, 0};
   if (c.shape == ColliderShape::box || c.shape == ColliderShape::mesh) {
     const double sizes[3] = {c.half.x, c.half.y, c.half.z};
+    double3 half{0, 0, 0};
     for (int e = 0; e < 3; ++e) {
-      const double3 edge = rotate(placed.rows, c.edges[e]);
-      half = plus(half, times(sizes[e], {std::fabs(edge.x), std::fabs(edge.y), std::fabs(edge.z)}));
+      half = plus(half, times(sizes[e], size(rotate(placed.rows, c.edges[e]))));
     }
     return half;
   }
-  const double along = c.shape == ColliderShape::capsule    ? 0.5
-                       : c.shape == ColliderShape::cylinder ? c.length / 2
-                                                            : 0;
-  const double3 axis = times(along, rotate(placed.rows, c.axis));
-  return {part(axis.x, c.size), part(axis.y, c.size), part(axis.z, c.size)};
+  const double3 half = size(rotate(placed.rows, c.to_point));
+  if (c.shape == ColliderShape::capsule) return half;
+  // A disc across a unit vector n is size sqrt(1 - n_i^2) wide along axis i.
+  const double3 n = rotate(placed.rows, c.axis);
+  const auto wide = [&](double along) {
+    return c.size * std::sqrt(std::max(0.0, 1 - along * along));
+  };
+  return plus(half, {wide(n.x), wide(n.y), wide(n.z)});
+}
+double rounded_by(const ColliderRecord& c) {
+  const bool round = c.shape == ColliderShape::sphere || c.shape == ColliderShape::capsule;
+  return round ? c.size : 0;
 }
 
 double3 larger_of(const double3& a, const double3& b) {
@@ -396,10 +406,7 @@ SweptBounds swept_bounds(const ColliderRecord& c, const ColliderPath& path) {
   SweptBounds bounds;
   bounds.low = minus(smaller_of(begin, end), half);
   bounds.high = plus(larger_of(begin, end), half);
-  if (c.shape == ColliderShape::sphere) {
-    bounds.center = times(0.5, plus(begin, end));
-    bounds.radius = c.size + 0.5 * length(minus(end, begin));
-  }
+  bounds.radius = rounded_by(c);
   return bounds;
 }
 
@@ -423,15 +430,11 @@ SweptBounds swept_bounds_in(const double3& low, const double3& high, const Colli
 }
 
 bool overlaps(const double3& low, const double3& high, const SweptBounds& r) {
-  const bool in_box = low.x <= r.high.x && high.x >= r.low.x && low.y <= r.high.y &&
-                      high.y >= r.low.y && low.z <= r.high.z && high.z >= r.low.z;
+  const double3 none{0, 0, 0};
+  const double3 apart = larger_of(none, larger_of(minus(r.low, high), minus(low, r.high)));
   const double3 lowest{r.normal.x > 0 ? low.x : high.x, r.normal.y > 0 ? low.y : high.y,
                        r.normal.z > 0 ? low.z : high.z};
-  const double3 nearest{std::max(low.x, std::min(high.x, r.center.x)),
-                        std::max(low.y, std::min(high.y, r.center.y)),
-                        std::max(low.z, std::min(high.z, r.center.z))};
-  return in_box && inner(r.normal, lowest) <= r.offset &&
-         length(minus(nearest, r.center)) <= r.radius;
+  return inner(apart, apart) <= r.radius * r.radius && inner(r.normal, lowest) <= r.offset;
 }
 
 bool comes_into(const double3& low, const double3& high, const double3& origin,

@@ -58,9 +58,8 @@ double offset_of(const ColliderRecord& plane, const ColliderPath&);
 
 /// Where a collider is found at any time of a frame.
 struct SweptBounds {
-  double3 low, high;        ///< endless for planes
-  double3 center{0, 0, 0};  ///< spheres: of a ball that holds all of the path
-  double radius = std::numeric_limits<double>::infinity();
+  double3 low, high;        ///< of a box; endless for planes
+  double radius = 0;        ///< m: no further than this from the box
   double3 normal{0, 0, 0};  ///< planes: below dot(normal, x) = offset
   double offset = 1;
 };

@@ -67,7 +67,7 @@ struct CollideStage {
   template <int N>
   WEFT_HD bool has_left(const Region<T>& region, int i0, Lanes<N> lanes) const {
     const Vec3Array<T> x = p.x_out;
-    return region.any_outside(lanes, [=](int l) WEFT_LANE { return load(x, i0 + l); });
+    return region.any_particle_outside(lanes, [=](int l) WEFT_LANE { return load(x, i0 + l); });
   }
 
  private:

@@ -93,7 +93,7 @@ ColliderRecord record_of(const CapsuleDesc& desc) {
   r.axis = minus(end, r.point);
   scene::check_positive(desc.radius, "capsule.radius");
   r.size = desc.radius;
-  const double size = length(r.axis);
+  const double size = r.span = length(r.axis);
   set_least_half_width(r);
   r.to_point = times(-0.5, r.axis);
   r.coordinate = std::max(largest(r.point), largest(end));
@@ -109,7 +109,7 @@ ColliderRecord record_of(const CylinderDesc& desc) {
   const double3 along = minus(end, r.point);
   scene::check_positive(desc.radius, "cylinder.radius");
   r.size = desc.radius;
-  r.length = length(along);
+  r.length = r.span = length(along);
   if (!(r.length > 0)) {
     throw InvalidInput(
         "cylinder.a and cylinder.b are the same point (a cylinder has a length) move "
@@ -222,7 +222,7 @@ void check_sizes(const ColliderRecord& c, const ColliderRecord& other, const cha
                      c.shape == ColliderShape::cylinder;
   if (round) check(other.size, c.size, "radius");
   if (c.shape == ColliderShape::capsule || c.shape == ColliderShape::cylinder) {
-    check(length(extent(other)), length(extent(c)), "length");
+    check(other.span, c.span, "length");
   }
   if (c.shape != ColliderShape::box) return;
   check(other.half.x, c.half.x, "half edge along x");
@@ -232,8 +232,7 @@ void check_sizes(const ColliderRecord& c, const ColliderRecord& other, const cha
 
 bool same_sizes(const ColliderRecord& c, const ColliderRecord& other) {
   if (c.shape == ColliderShape::plane) return true;
-  return c.size == other.size && same(c.half, other.half) &&
-         length(extent(c)) == length(extent(other));
+  return c.size == other.size && same(c.half, other.half) && c.span == other.span;
 }
 
 void take_sizes(ColliderRecord& c, const ColliderRecord& other) {
@@ -241,6 +240,7 @@ void take_sizes(ColliderRecord& c, const ColliderRecord& other) {
   c.size = other.size;
   c.half = other.half;
   c.length = other.length;
+  c.span = other.span;
   if (c.shape == ColliderShape::capsule) {
     const double now = length(c.axis), then = length(other.axis);
     // Along what it lay along; one that was a ball has a direction from now on.
@@ -293,6 +293,12 @@ ColliderPath path_of(const ColliderRecord& c, double time, double dt) {
   const double3 by = path.velocity;
   path.moves = path.turns || by.x != 0 || by.y != 0 || by.z != 0;
   return path;
+}
+
+Placed placed_at(const ColliderRecord& c, double time) {
+  Placed placed = c.placed;
+  placed.translate = plus(placed.translate, times(time - c.since, c.velocity));
+  return placed;
 }
 
 double offset_of(const ColliderRecord& c, const ColliderPath& path) {

@@ -25,6 +25,7 @@ struct ColliderRecord {
   double3 to_point{0, 0, 0};  ///< from the middle, which `placed` places
   double size = 0;            ///< radius; plane: offset
   double length = 0;          ///< cylinder
+  double span = 0;            ///< capsule, cylinder: from end to end, as it was described last
   ColliderMesh mesh;          ///< holds the reference
   const scene::CookedColliderMesh* cooked_mesh = nullptr;
   double friction = 0;
@@ -50,6 +51,8 @@ struct ColliderPath {
   bool turns, moves;
 };
 ColliderPath path_of(const ColliderRecord&, double time, double dt);
+/// Where it is at the beginning.
+Placed placed_at(const ColliderRecord&, double time);
 /// A plane has no middle. Seen from a place, it turns about its point that is nearest to it.
 ColliderPath seen_from(const double3& place, const ColliderPath&, const ColliderRecord& plane,
                        double dt);

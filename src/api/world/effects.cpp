@@ -30,6 +30,9 @@ void World::Impl::wake_touched(const api::ColliderRecord& collider, double dt) {
 }
 
 void World::Impl::wake_by_colliders(double dt) {
+  bool any = false;
+  for (const ClothId id : order) any |= cloths[id.index]->asleep;
+  if (!any) return;
   for (const api::ColliderRecord& c : colliders) {
     if (c.id && path_of(c, time, dt).moves) wake_touched(c, dt);
   }
@@ -113,7 +116,7 @@ void World::Impl::say_if_windless(const api::ClothRecord& cloth) {
 }
 
 void World::Impl::move(api::ColliderRecord& c, const api::Placed& to, Move how) {
-  const api::Placed from = path_of(c, time, 0).begin;
+  const api::Placed from = api::placed_at(c, time);
   if (how == Move::teleport && !api::same_place(from, to)) wake_touched(c, 0);
   c.placed = from;
   c.velocity = {0, 0, 0};

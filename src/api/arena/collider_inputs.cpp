@@ -1,6 +1,7 @@
 #include "api/arena/collider_inputs.h"
 
 #include <algorithm>
+#include <cstring>
 
 #include "api/arena/image.h"
 #include "api/arena/collider_mesh_arrays.h"
@@ -120,11 +121,14 @@ void ColliderInputs<T>::stage_turns(const FrameInput& input) {
   for (const Followed& e : followed_) {
     if (e.turn < 0) continue;
     TurnInParts turn(e.path.begin, e.path.end, input.substeps);
-    for (int s = 0; s <= input.substeps; ++s) {
-      double3 rows[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-      if (s > 0) turn.next(rows);
-      Mat3<T>& to = turns_[size_t(s) * columns_ + size_t(e.turn)];
-      for (int r = 0; r < 3; ++r) to.row[r] = narrow<T>(rows[r]);
+    static_assert(sizeof(Mat3<T>) == 9 * sizeof(T));
+    Mat3<T>* to = turns_.data() + e.turn;
+    *to = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+    for (int s = 1; s <= input.substeps; ++s) {
+      T numbers[9];
+      turn.next(numbers);
+      to += columns_;
+      std::memcpy(to, numbers, sizeof numbers);
     }
   }
 }

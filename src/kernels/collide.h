@@ -130,7 +130,8 @@ struct CollideStage {
                 rounding_of(now.pivot) + rounding_of(Vec3<T>{reach, size, T(0)}));
     const T turn = square_root(turn2_between(before, now)) * reach;
     Shape around = grown(at_present(now, shape), rounding);
-    around.surface.sweep = larger(T(0), shape.surface.sweep - (turn + rounding));
+    around.surface.sweep = shape.surface.sweep - (turn + rounding);
+    if (IsSwept<Shape>::value && !(around.surface.sweep > T(0))) return true;
     const Shifted<T> none{{T(0), T(0), T(0)}}, ago{before.by - now.by};
     const Concern<Shape, Shifted<T>, T> concern{p.x_in, p.x_out, around, ago, none};
     const int count = region.count;

@@ -18,6 +18,7 @@ using samples::take;
 constexpr uint32_t rows = 20, columns = 18, substeps = 32;
 constexpr size_t capsules = 12;
 constexpr double frame = 1.0 / 60;
+constexpr int frames = 10;  ///< of a call
 
 enum class Motion { none, moves, turns };
 
@@ -106,7 +107,7 @@ void append_capes(int rounds, std::ostream& progress, std::vector<Row>& out) {
                             {"cape of 20 x 18 on 12 moving capsules", Motion::moves, 0.01},
                             {"cape of 20 x 18 on 12 turning capsules", Motion::turns, 0.01}};
   Interleaved runs("effects");
-  constexpr int frames = 10;
+
   const auto add = [&](const char* name, bool with, Motion motion, double gap) {
     auto cape = std::make_shared<Cape>(with, motion, gap);
     return runs.add({name, double(rows * columns * substeps * frames), [cape] {

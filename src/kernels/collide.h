@@ -128,7 +128,7 @@ struct CollideStage {
     const T rounding =
         T(8) * (rounding_of(region.low) + rounding_of(region.high) + rounding_of(center) +
                 rounding_of(now.pivot) + rounding_of(Vec3<T>{reach, size, T(0)}));
-    const T turn = square_root(turn2_between(before, now)) * reach;
+    const T turn = turn_between(before, now) * reach;
     Shape around = grown(at_present(now, shape), rounding);
     around.surface.sweep = shape.surface.sweep - (turn + rounding);
     if (IsSwept<Shape>::value && !(around.surface.sweep > T(0))) return true;

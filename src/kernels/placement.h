@@ -155,16 +155,13 @@ template <class T>
 WEFT_HD T size_of(const Box<T>& s) {
   return span_of(s.half);
 }
-/// Square of the largest factor by which the turn between two places moves a point, times its
-/// distance from the pivot.
+/// At least what the turn between two places moves a point by, over its distance from the pivot:
+/// the norm of the difference of two rotations is at most its Frobenius norm over the root of two.
 template <class T>
-WEFT_HD T turn2_between(const Turned<T>& a, const Turned<T>& b) {
+WEFT_HD T turn_between(const Turned<T>& a, const Turned<T>& b) {
   T sum = T(0);
-  for (int r = 0; r < 3; ++r) {
-    const Vec3<T> d = a.turn.row[r] - b.turn.row[r];
-    sum = sum + dot(d, d);
-  }
-  return T(0.5) * sum;
+  for (int r = 0; r < 3; ++r) sum = sum + span_of(a.turn.row[r] - b.turn.row[r]);
+  return T(0.70711) * sum;
 }
 
 }  // namespace WEFT_BACKEND_NS

@@ -3,6 +3,7 @@
 #include <cstring>
 #include <memory>
 
+#include "bench/capes.h"
 #include "bench/interleave.h"
 #include "bench/sheets.h"
 #include "samples/effects/effects.h"
@@ -139,6 +140,7 @@ std::vector<Row> run_effects(bool quick, std::ostream& progress) {
   rows.push_back(figure(all[0].name, "bytes", "B/particle", size.bytes));
   rows.push_back(figure(all[0].name, "passes", "1", size.passes));
   for (size_t i = 1; i < all.size(); ++i) append_price(runs, all[i], all[all[i].bare], rows);
+  append_capes(rounds, progress, rows);
   append_normals(rounds, progress, all[0], rows);
   return rows;
 }

@@ -40,6 +40,9 @@ TAIL = """
   are mostly the mesh itself, 33 MB here, whatever the number of particles.
 - **Wind** computes each of the six triangles around a particle: six roots and seven divisions
   more.
+- **A cape** is a damped sheet in wind, in frames of 32 substeps, beside the capsules of a body that
+  a set moves every frame; it is compared with itself alone, and the calls that move the capsules
+  count. A block turns a capsule once to look at it, and its particles only where it touches.
 - **A sleeping cloth** still costs the survey at the end of a frame.
 - **Normals** cost nothing until they are read; the figure is per particle of one call, with the
   copy into the caller's array.

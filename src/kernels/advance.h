@@ -101,14 +101,16 @@ struct AdvanceParticles {
                                      const LaneVec3<T, N>& force) const {
     const Simulation<T>& sim = stages.sim;
     const Region<T> region = region_of(sim, cloth, activity, block, i0);
+    const CollideStage<T> collide{sim, stages.p, stages.step};
     bool every = activity.nearness == Nearness::every;
     if (every) {
       integrate(cloth, Everywhere{}, i0, lanes, force);
     } else {
       every = integrate(cloth, region, i0, lanes, force);
+      if (every && !region.is_full(lanes)) every = collide.has_left(region, i0, lanes);
       if (!every && meets_nothing(sim, activity, block)) return;
     }
-    CollideStage<T>{sim, stages.p, stages.step}(cloth, activity, every, region, block, i0, lanes);
+    collide(cloth, activity, every, region, block, i0, lanes);
   }
 
   template <int N>

@@ -67,7 +67,7 @@ struct CollideStage {
   template <int N>
   WEFT_HD bool has_left(const Region<T>& region, int i0, Lanes<N> lanes) const {
     const Vec3Array<T> x = p.x_out;
-    return region.any_outside(lanes, [=](int l) WEFT_LANE { return load(x, i0 + l); });
+    return region.any_particle_outside(lanes, [=](int l) WEFT_LANE { return load(x, i0 + l); });
   }
 
  private:
@@ -124,16 +124,16 @@ struct CollideStage {
     const Vec3<T> far{larger(magnitude(low.x), magnitude(high.x)),
                       larger(magnitude(low.y), magnitude(high.y)),
                       larger(magnitude(low.z), magnitude(high.z))};
-    const T reach = square_root(dot(far, far));
-    const T size = size_of(shape);
+    const T reach = span_of(far), size = size_of(shape);
     const T rounding =
         T(8) * (rounding_of(region.low) + rounding_of(region.high) + rounding_of(center) +
                 rounding_of(now.pivot) + rounding_of(Vec3<T>{reach, size, T(0)}));
-    const T turn = square_root(turn2_between(before, now)) * reach;
+    const T turn = turn_between(before, now) * reach;
     // In the position form a particle is looked at where it was before, too.
     const T margin = step.position_form ? rounding + T(2) * turn : rounding;
     Shape around = grown(at_present(now, shape), margin);
-    around.surface.sweep = larger(T(0), shape.surface.sweep - (turn + rounding));
+    around.surface.sweep = shape.surface.sweep - (turn + rounding);
+    if (IsSwept<Shape>::value && !(around.surface.sweep > T(0))) return true;
     const Shifted<T> none{{T(0), T(0), T(0)}}, ago{before.by - now.by};
     return step.position_form ? touches<true>(around, ago, none, region.count, i0, lanes)
                               : touches<false>(around, ago, none, region.count, i0, lanes);

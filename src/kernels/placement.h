@@ -129,6 +129,11 @@ WEFT_HD Box<T> grown(Box<T> s, T by) {
   s.half = s.half + Vec3<T>{by, by, by};
   return s;
 }
+/// At least the length of a vector, without a root.
+template <class T>
+WEFT_HD T span_of(Vec3<T> v) {
+  return larger(v.x, -v.x) + larger(v.y, -v.y) + larger(v.z, -v.z);
+}
 /// m: no point of the shape is further from its pivot, its middle; planes: no matter.
 template <class T>
 WEFT_HD T size_of(const Sphere<T>& s) {
@@ -140,7 +145,7 @@ WEFT_HD T size_of(const Plane<T>&) {
 }
 template <class T>
 WEFT_HD T size_of(const Capsule<T>& s) {
-  return s.radius + square_root(dot(s.axis, s.axis));
+  return s.radius + span_of(s.axis);
 }
 template <class T>
 WEFT_HD T size_of(const Cylinder<T>& s) {
@@ -148,18 +153,15 @@ WEFT_HD T size_of(const Cylinder<T>& s) {
 }
 template <class T>
 WEFT_HD T size_of(const Box<T>& s) {
-  return s.half.x + s.half.y + s.half.z;
+  return span_of(s.half);
 }
-/// Square of the largest factor by which the turn between two places moves a point, times its
-/// distance from the pivot.
+/// At least what the turn between two places moves a point by, over its distance from the pivot:
+/// the norm of the difference of two rotations is at most its Frobenius norm over the root of two.
 template <class T>
-WEFT_HD T turn2_between(const Turned<T>& a, const Turned<T>& b) {
+WEFT_HD T turn_between(const Turned<T>& a, const Turned<T>& b) {
   T sum = T(0);
-  for (int r = 0; r < 3; ++r) {
-    const Vec3<T> d = a.turn.row[r] - b.turn.row[r];
-    sum = sum + dot(d, d);
-  }
-  return T(0.5) * sum;
+  for (int r = 0; r < 3; ++r) sum = sum + span_of(a.turn.row[r] - b.turn.row[r]);
+  return T(0.70711) * sum;
 }
 
 }  // namespace WEFT_BACKEND_NS

@@ -10,18 +10,15 @@ namespace WEFT_BACKEND_NS {
 /// Whether a box has a point in common with what a collider sweeps through.
 template <class T>
 WEFT_HD bool can_touch(Vec3<T> low, Vec3<T> high, const ColliderBounds<T>& c) {
-  const bool in_x = (low.x <= c.high.x) & (high.x >= c.low.x);
-  const bool in_y = (low.y <= c.high.y) & (high.y >= c.low.y);
-  const bool in_z = (low.z <= c.high.z) & (high.z >= c.low.z);
+  const T none = T(0);
+  const Vec3<T> apart{larger(none, larger(c.low.x - high.x, low.x - c.high.x)),
+                      larger(none, larger(c.low.y - high.y, low.y - c.high.y)),
+                      larger(none, larger(c.low.z - high.z, low.z - c.high.z))};
+  const bool near = dot(apart, apart) <= c.radius2;
   const Vec3<T> lowest{c.normal.x > T(0) ? low.x : high.x, c.normal.y > T(0) ? low.y : high.y,
                        c.normal.z > T(0) ? low.z : high.z};
   const bool below = dot(c.normal, lowest) <= c.offset;
-  const Vec3<T> nearest{larger(low.x, smaller(high.x, c.center.x)),
-                        larger(low.y, smaller(high.y, c.center.y)),
-                        larger(low.z, smaller(high.z, c.center.z))};
-  const Vec3<T> from = nearest - c.center;
-  const bool in_ball = dot(from, from) <= c.radius2;
-  return in_x & in_y & in_z & below & in_ball;
+  return near & below;
 }
 
 template <class T>

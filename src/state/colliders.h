@@ -66,11 +66,12 @@ struct MeshCollider {
   Surface<T> surface;
 };
 
-/// Where a collider can be in this frame: in the box, in the ball, and below the plane dot(normal,
-/// x) = offset. What does not limit a shape is endless; a normal of 0 goes with an offset of 1.
+/// Where a collider can be in this frame: no further than a radius from a box, and below the plane
+/// dot(normal, x) = offset. What does not limit a shape is endless; a normal of 0 goes with an
+/// offset of 1.
 template <class T>
 struct ColliderBounds {
-  Vec3<T> low, high, center;
+  Vec3<T> low, high;
   T radius2;
   Vec3<T> normal;
   T offset;

@@ -91,8 +91,9 @@ TEST(ColliderWay, InPartsIsTheSameTurnAndEndsWhereItShould) {
     const Placed to = placed_by({{2, 1, 0}, 160, {0, 0, 0}}, "pose");
     TurnInParts turn(from, to, parts);
     for (int i = 1; i <= parts; ++i) {
-      double3 rows[3];
-      turn.next(rows);
+      double n[9];
+      turn.next(n);
+      const double3 rows[3] = {{n[0], n[1], n[2]}, {n[3], n[4], n[5]}, {n[6], n[7], n[8]}};
       const Placed now = between(from, to, double(i) / parts);
       for (const double3& v : some_axes) {
         EXPECT_LT(away(rotate(rows, rotate(from.rows, v)), rotate(now.rows, v)), 1e-12);

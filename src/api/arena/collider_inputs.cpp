@@ -1,6 +1,7 @@
 #include "api/arena/collider_inputs.h"
 
 #include <algorithm>
+#include <cstring>
 
 #include "api/arena/image.h"
 #include "api/arena/collider_mesh_arrays.h"
@@ -106,8 +107,8 @@ void ColliderInputs<T>::follow(const ArenaInput& in, const FrameInput& input) {
       const ColliderPath path = path_of(c, input.time, input.substeps * input.dt);
       const SweptBounds bounds = swept_bounds(c, path);
       const double3 size = minus(bounds.high, bounds.low);
-      const double slack =
-          c.shape == ColliderShape::plane ? 0 : 1e-6 * std::max({size.x, size.y, size.z});
+      const double extent = std::max({size.x, size.y, size.z}) + bounds.radius;
+      const double slack = c.shape == ColliderShape::plane ? 0 : 1e-6 * extent;
       followed_.push_back({&c, path, bounds, path.turns ? column : -1, slack});
       see(followed_.back());
       if (c.can_turn) ++column;
@@ -120,11 +121,14 @@ void ColliderInputs<T>::stage_turns(const FrameInput& input) {
   for (const Followed& e : followed_) {
     if (e.turn < 0) continue;
     TurnInParts turn(e.path.begin, e.path.end, input.substeps);
-    for (int s = 0; s <= input.substeps; ++s) {
-      double3 rows[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-      if (s > 0) turn.next(rows);
-      Mat3<T>& to = turns_[size_t(s) * columns_ + size_t(e.turn)];
-      for (int r = 0; r < 3; ++r) to.row[r] = narrow<T>(rows[r]);
+    static_assert(sizeof(Mat3<T>) == 9 * sizeof(T));
+    Mat3<T>* to = turns_.data() + e.turn;
+    *to = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+    for (int s = 1; s <= input.substeps; ++s) {
+      T numbers[9];
+      turn.next(numbers);
+      to += columns_;
+      std::memcpy(to, numbers, sizeof numbers);
     }
   }
 }
@@ -232,9 +236,7 @@ size_t ColliderInputs<T>::find_near(const ClothRecord& cloth, double margin, dou
       near_[next] = index;
       near_bounds_[next] = {narrow<T>(box_low(minus(r.low, cloth.origin), by)),
                             narrow<T>(box_high(minus(r.high, cloth.origin), by)),
-                            narrow<T>(minus(r.center, cloth.origin)),
-                            static_cast<T>((r.radius + by) * (r.radius + by)),
-                            narrow<T>(r.normal),
+                            static_cast<T>((r.radius + by) * (r.radius + by)), narrow<T>(r.normal),
                             static_cast<T>(r.offset - inner(r.normal, cloth.origin) + by)};
       ++next;
     }

@@ -93,7 +93,7 @@ ColliderRecord record_of(const CapsuleDesc& desc) {
   r.axis = minus(end, r.point);
   scene::check_positive(desc.radius, "capsule.radius");
   r.size = desc.radius;
-  const double size = length(r.axis);
+  const double size = r.span = length(r.axis);
   set_least_half_width(r);
   r.to_point = times(-0.5, r.axis);
   r.coordinate = std::max(largest(r.point), largest(end));
@@ -109,7 +109,7 @@ ColliderRecord record_of(const CylinderDesc& desc) {
   const double3 along = minus(end, r.point);
   scene::check_positive(desc.radius, "cylinder.radius");
   r.size = desc.radius;
-  r.length = length(along);
+  r.length = r.span = length(along);
   if (!(r.length > 0)) {
     throw InvalidInput(
         "cylinder.a and cylinder.b are the same point (a cylinder has a length) move "
@@ -222,7 +222,7 @@ void check_sizes(const ColliderRecord& c, const ColliderRecord& other, const cha
                      c.shape == ColliderShape::cylinder;
   if (round) check(other.size, c.size, "radius");
   if (c.shape == ColliderShape::capsule || c.shape == ColliderShape::cylinder) {
-    check(length(extent(other)), length(extent(c)), "length");
+    check(other.span, c.span, "length");
   }
   if (c.shape != ColliderShape::box) return;
   check(other.half.x, c.half.x, "half edge along x");
@@ -232,8 +232,7 @@ void check_sizes(const ColliderRecord& c, const ColliderRecord& other, const cha
 
 bool same_sizes(const ColliderRecord& c, const ColliderRecord& other) {
   if (c.shape == ColliderShape::plane) return true;
-  return c.size == other.size && same(c.half, other.half) &&
-         length(extent(c)) == length(extent(other));
+  return c.size == other.size && same(c.half, other.half) && c.span == other.span;
 }
 
 void take_sizes(ColliderRecord& c, const ColliderRecord& other) {
@@ -241,6 +240,7 @@ void take_sizes(ColliderRecord& c, const ColliderRecord& other) {
   c.size = other.size;
   c.half = other.half;
   c.length = other.length;
+  c.span = other.span;
   if (c.shape == ColliderShape::capsule) {
     const double now = length(c.axis), then = length(other.axis);
     // Along what it lay along; one that was a ball has a direction from now on.
@@ -295,6 +295,12 @@ ColliderPath path_of(const ColliderRecord& c, double time, double dt) {
   return path;
 }
 
+Placed placed_at(const ColliderRecord& c, double time) {
+  Placed placed = c.placed;
+  placed.translate = plus(placed.translate, times(time - c.since, c.velocity));
+  return placed;
+}
+
 double offset_of(const ColliderRecord& c, const ColliderPath& path) {
   const double3 normal = rotate(path.begin.rows, c.normal);
   if (same_place(c.placed, c.described)) return c.size + inner(normal, path.at);
@@ -317,128 +323,6 @@ ColliderPath seen_from(const double3& place, const ColliderPath& path, const Col
     seen.velocity = times(1 / dt, minus(seen.end.translate, seen.begin.translate));
   }
   return seen;
-}
-
-namespace {
-
-/// Half the edges of the box along the world's axes about a collider's middle.
-double3 half_of(const ColliderRecord& c, const Placed& placed) {
-  const auto part = [](double along, double size) { return std::fabs(along) + size; };
-  double3 half{0, 0, 0};
-  if (c.shape == ColliderShape::box || c.shape == ColliderShape::mesh) {
-    const double sizes[3] = {c.half.x, c.half.y, c.half.z};
-    for (int e = 0; e < 3; ++e) {
-      const double3 edge = rotate(placed.rows, c.edges[e]);
-      half = plus(half, times(sizes[e], {std::fabs(edge.x), std::fabs(edge.y), std::fabs(edge.z)}));
-    }
-    return half;
-  }
-  const double along = c.shape == ColliderShape::capsule    ? 0.5
-                       : c.shape == ColliderShape::cylinder ? c.length / 2
-                                                            : 0;
-  const double3 axis = times(along, rotate(placed.rows, c.axis));
-  return {part(axis.x, c.size), part(axis.y, c.size), part(axis.z, c.size)};
-}
-
-double3 larger_of(const double3& a, const double3& b) {
-  return {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)};
-}
-double3 smaller_of(const double3& a, const double3& b) {
-  return {std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)};
-}
-
-/// m: how far from the middle a collider has something that a turn takes along.
-double reach_of(const ColliderRecord& c) {
-  switch (c.shape) {
-    case ColliderShape::sphere:
-    case ColliderShape::plane:
-      return 0;
-    case ColliderShape::capsule:
-      return length(c.axis) / 2;
-    case ColliderShape::cylinder:
-      return std::sqrt(c.length * c.length / 4 + c.size * c.size);
-    case ColliderShape::box:
-    case ColliderShape::mesh:
-      break;
-  }
-  return length(c.half);
-}
-
-SweptBounds half_space() {
-  const double endless = std::numeric_limits<double>::infinity();
-  SweptBounds bounds;
-  bounds.low = {-endless, -endless, -endless};
-  bounds.high = {endless, endless, endless};
-  return bounds;
-}
-
-SweptBounds swept_bounds_of_plane(const ColliderRecord& c, const ColliderPath& path) {
-  SweptBounds bounds = half_space();
-  if (path.turns) return bounds;
-  bounds.normal = rotate(path.begin.rows, c.normal);
-  const double on = inner(bounds.normal, minus(path.end.translate, path.begin.translate));
-  bounds.offset = offset_of(c, path) + std::max(0.0, on);
-  return bounds;
-}
-
-}  // namespace
-
-/// A point goes along an arc, which leaves its chord by radius (1 - cos(angle / 2)) at most, while
-/// the middle goes straight. All shapes are symmetric about their middles.
-SweptBounds swept_bounds(const ColliderRecord& c, const ColliderPath& path) {
-  if (c.shape == ColliderShape::plane) return swept_bounds_of_plane(c, path);
-  const double3 &begin = path.begin.translate, &end = path.end.translate;
-  double3 half = half_of(c, path.begin);
-  if (path.turns && c.shape != ColliderShape::sphere) {
-    const double rise = reach_of(c) * (1 - half_turn_cosine(path.begin, path.end));
-    half = plus(larger_of(half, half_of(c, path.end)), {rise, rise, rise});
-  }
-  SweptBounds bounds;
-  bounds.low = minus(smaller_of(begin, end), half);
-  bounds.high = plus(larger_of(begin, end), half);
-  if (c.shape == ColliderShape::sphere) {
-    bounds.center = times(0.5, plus(begin, end));
-    bounds.radius = c.size + 0.5 * length(minus(end, begin));
-  }
-  return bounds;
-}
-
-/// With the unit normals n(t) and the pivot p + t by: n(0).(x - p) is at most n(t).(x - p) +
-/// |n(t) - n(0)| |x - p|, and what is below the plane has n(t).(x - p) < t n(t).by.
-SweptBounds swept_bounds_in(const double3& low, const double3& high, const ColliderRecord& c,
-                            const ColliderPath& path) {
-  SweptBounds bounds = half_space();
-  const double3& p = path.begin.translate;
-  const double3 by = minus(path.end.translate, p);
-  const double3 first = rotate(path.begin.rows, c.normal), last = rotate(path.end.rows, c.normal);
-  const double rise = 1 - half_turn_cosine(path.begin, path.end);
-  const double on = std::max({0.0, inner(first, by), inner(last, by)}) + rise * length(by);
-  const double3 a = minus(p, low), b = minus(high, p);
-  const double3 far{std::max(std::fabs(a.x), std::fabs(b.x)),
-                    std::max(std::fabs(a.y), std::fabs(b.y)),
-                    std::max(std::fabs(a.z), std::fabs(b.z))};
-  bounds.normal = first;
-  bounds.offset = inner(first, p) + on + length(minus(last, first)) * length(far);
-  return bounds;
-}
-
-bool overlaps(const double3& low, const double3& high, const SweptBounds& r) {
-  const bool in_box = low.x <= r.high.x && high.x >= r.low.x && low.y <= r.high.y &&
-                      high.y >= r.low.y && low.z <= r.high.z && high.z >= r.low.z;
-  const double3 lowest{r.normal.x > 0 ? low.x : high.x, r.normal.y > 0 ? low.y : high.y,
-                       r.normal.z > 0 ? low.z : high.z};
-  const double3 nearest{std::max(low.x, std::min(high.x, r.center.x)),
-                        std::max(low.y, std::min(high.y, r.center.y)),
-                        std::max(low.z, std::min(high.z, r.center.z))};
-  return in_box && inner(r.normal, lowest) <= r.offset &&
-         length(minus(nearest, r.center)) <= r.radius;
-}
-
-bool comes_into(const double3& low, const double3& high, const double3& origin,
-                const ColliderRecord& c, const ColliderPath& path, const SweptBounds& bounds,
-                double dt) {
-  if (c.shape != ColliderShape::plane || !path.turns) return overlaps(low, high, bounds);
-  return overlaps(low, high, swept_bounds_in(low, high, c, seen_from(origin, path, c, dt)));
 }
 
 }  // namespace weft::api

@@ -26,6 +26,7 @@ struct ColliderRecord {
   double3 to_point{0, 0, 0};  ///< from the middle, which `placed` places
   double size = 0;            ///< radius; plane: offset
   double length = 0;          ///< cylinder
+  double span = 0;            ///< capsule, cylinder: from end to end, as it was described last
   ColliderMesh mesh;          ///< holds the reference
   const scene::CookedColliderMesh* cooked_mesh = nullptr;
   double friction = 0;
@@ -54,6 +55,8 @@ struct ColliderPath {
   bool turns, moves;
 };
 ColliderPath path_of(const ColliderRecord&, double time, double dt);
+/// Where it is at the beginning.
+Placed placed_at(const ColliderRecord&, double time);
 /// A plane has no middle. Seen from a place, it turns about its point that is nearest to it.
 ColliderPath seen_from(const double3& place, const ColliderPath&, const ColliderRecord& plane,
                        double dt);
@@ -62,9 +65,8 @@ double offset_of(const ColliderRecord& plane, const ColliderPath&);
 
 /// Where a collider is found at any time of a frame.
 struct SweptBounds {
-  double3 low, high;        ///< endless for planes
-  double3 center{0, 0, 0};  ///< spheres: of a ball that holds all of the path
-  double radius = std::numeric_limits<double>::infinity();
+  double3 low, high;        ///< of a box; endless for planes
+  double radius = 0;        ///< m: no further than this from the box
   double3 normal{0, 0, 0};  ///< planes: below dot(normal, x) = offset
   double offset = 1;
 };

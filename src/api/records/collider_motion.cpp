@@ -207,31 +207,18 @@ TurnInParts::TurnInParts(const Placed& begin, const Placed& end, int parts) : le
   part_cos_ = 1 - 2 * s2;
   part_sin_ = 2 * s * q.w;
   const double axis[3] = {k.x, k.y, k.z};
+  const double beside[9] = {0, -k.z, k.y, k.z, 0, -k.x, -k.y, k.x, 0};
   for (int r = 0; r < 3; ++r) {
-    along_[r] = times(axis[r], k);
-    across_[r] = times(-1, along_[r]);
-    last_[r] = rotate(begin.rows, end.rows[r]);  // end * transpose(begin)
-  }
-  across_[0].x += 1;
-  across_[1].y += 1;
-  across_[2].z += 1;
-  beside_[0] = {0, -k.z, k.y};
-  beside_[1] = {k.z, 0, -k.x};
-  beside_[2] = {-k.y, k.x, 0};
-}
-
-void TurnInParts::next(double3* rows) {
-  if (--left_ > 0) {
-    const double c = cos_ * part_cos_ - sin_ * part_sin_, s = cos_ * part_sin_ + sin_ * part_cos_;
-    const double unit = 1.5 - 0.5 * (c * c + s * s);  // one step of Newton's towards |(c, s)| = 1
-    cos_ = unit * c;
-    sin_ = unit * s;
-    for (int r = 0; r < 3; ++r) {
-      rows[r] = plus(along_[r], plus(times(cos_, across_[r]), times(sin_, beside_[r])));
+    const double3 last = rotate(begin.rows, end.rows[r]);  // end * transpose(begin)
+    const double lasts[3] = {last.x, last.y, last.z};
+    for (int c = 0; c < 3; ++c) {
+      const int i = 3 * r + c;
+      along_[i] = axis[r] * axis[c];
+      across_[i] = (r == c ? 1 : 0) - along_[i];
+      beside_[i] = beside[i];
+      last_[i] = lasts[c];
     }
-    return;
   }
-  for (int r = 0; r < 3; ++r) rows[r] = last_[r];
 }
 
 }  // namespace weft::api

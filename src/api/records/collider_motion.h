@@ -49,12 +49,30 @@ double half_turn_cosine(const Placed& begin, const Placed& end);
 class TurnInParts {
  public:
   TurnInParts(const Placed& begin, const Placed& end, int parts);
-  /// Rows of the next: the first call is for the end of the first part.
-  void next(double3* rows);
+  /// The nine numbers of the next, row by row: the first call is for the end of the first part.
+  template <class T>
+  void next(T* numbers) {
+    advance();
+    for (int i = 0; i < 9; ++i) {
+      numbers[i] = static_cast<T>(along_[i] + (cos_ * across_[i] + sin_ * beside_[i]));
+    }
+  }
 
  private:
-  // rows = along + cos across + sin beside, by Rodrigues' formula
-  double3 along_[3], across_[3], beside_[3], last_[3];
+  void advance() {
+    if (--left_ == 0) {  // to the very place
+      for (int i = 0; i < 9; ++i) along_[i] = last_[i];
+      cos_ = sin_ = 0;
+      return;
+    }
+    const double c = cos_ * part_cos_ - sin_ * part_sin_, s = cos_ * part_sin_ + sin_ * part_cos_;
+    const double unit = 1.5 - 0.5 * (c * c + s * s);  // one step of Newton's towards |(c, s)| = 1
+    cos_ = unit * c;
+    sin_ = unit * s;
+  }
+
+  // along + cos across + sin beside, by Rodrigues' formula
+  double along_[9], across_[9], beside_[9], last_[9];
   double part_cos_, part_sin_, cos_ = 1, sin_ = 0;
   int left_;
 };

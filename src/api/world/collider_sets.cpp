@@ -105,7 +105,7 @@ Status World::move_collider_set(ColliderSetId id, const ColliderSetDesc& desc, M
     }
     for (const auto& [member, other] : moves) {
       if (desc.may_stretch) impl_->stretch(*member, *other);
-      const api::Placed from = path_of(*member, impl_->time, 0).begin;
+      const api::Placed from = placed_at(*member, impl_->time);
       impl_->move(*member, api::motion_to(*member, from, *other), how);
     }
     return Status::ok;

@@ -31,6 +31,9 @@ void World::Impl::wake_touched(const api::ColliderRecord& collider, double dt) {
 }
 
 void World::Impl::wake_by_colliders(double dt) {
+  bool any = false;
+  for (const ClothId id : order) any |= cloths[id.index]->asleep;
+  if (!any) return;
   for (const api::ColliderRecord& c : colliders) {
     if (c.id && path_of(c, time, dt).moves) wake_touched(c, dt);
   }
@@ -126,9 +129,8 @@ void World::Impl::say_if_windless(const api::ClothRecord& cloth) {
 }
 
 void World::Impl::move(api::ColliderRecord& c, const api::Placed& to, Move how) {
-  const api::Placed from = path_of(c, time, 0).begin;
-  const api::Placed set_out =
-      path_of(c, time + time_owed, 0).begin;  // at the end of the last frame
+  const api::Placed from = api::placed_at(c, time);
+  const api::Placed set_out = api::placed_at(c, time + time_owed);  // when the last frame ended
   using State = api::Way<api::Placed>::State;
   if (how == Move::simulate && api::same(c.velocity, {0, 0, 0})) {
     const api::Placed& goal = c.way.state == State::none ? from : c.way.to;

@@ -178,7 +178,8 @@ asan() {
   configure asan "${unity[@]}" -DWEFT_BUILD_BENCH=OFF
   local pictures=()  # as far as there are packages to draw them with
   [[ ! -e build/asan/tests/render/CTestTestfile.cmake ]] || pictures=(tests/render/all)
-  compile asan weft_cli tests/{unit,kernels,api,driver,backend,io,fuzz,stability}/all "${pictures[@]}"
+  compile asan weft_cli tests/{unit,kernels,api,driver,backend,io,fuzz,stability}/all \
+    "${pictures[@]}"
   forget_dead_teams
   run_tests asan -L '^(unit|kernels|api|driver|backend|io|render|fuzz|stability)$' -LE long
 }

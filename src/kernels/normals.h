@@ -17,6 +17,29 @@ WEFT_HD Vec3<T> unit_or_zero(Vec3<T> v, T size) {
   return select(has_length, scale * v, Vec3<T>{T(0), T(0), T(0)});
 }
 
+/// N = 2 A n of triangles, and what they would be without signs.
+template <class T>
+struct Area {
+  Vec3<T> vector;
+  T size;
+};
+template <class T>
+WEFT_HD Area<T> operator+(const Area<T>& a, const Area<T>& b) {
+  return {a.vector + b.vector, a.size + b.size};
+}
+/// An Area per lane.
+template <class T, int N>
+struct LaneArea {
+  LaneVec3<T, N> vector;
+  alignas(N == 1 ? alignof(T) : 64) T size[N];
+
+  WEFT_HD Area<T> get(int l) const { return {vector.get(l), size[l]}; }
+  WEFT_HD void set(int l, const Area<T>& area) {
+    vector.set(l, area.vector);
+    size[l] = area.size;
+  }
+};
+
 template <class T, class Fan>
 struct VertexNormals {
   Fan fan;
@@ -30,17 +53,17 @@ struct VertexNormals {
     const int block = first_block + index;
     const int i0 = block * block_size + lane0;
     const ClothParams<T>& cloth = cloths[cloth_of_block[block]];
-    LaneVec3<T, N> sum;
-    T size[N];
+    LaneArea<T, N> sum;
     const Vec3Array<T> from = x;
     fan.sum_triangles(
         cloth, block, i0, lanes, [=](int i) WEFT_LANE { return load(from, i); },
         [=](Vec3<T> here, Vec3<T> next, Vec3<T> last) WEFT_LANE {
           const Vec3<T> area = cross(next - here, last - here);
-          return TriangleShare<T>{area, magnitude(area.x) + magnitude(area.y) + magnitude(area.z)};
+          return Area<T>{area, magnitude(area.x) + magnitude(area.y) + magnitude(area.z)};
         },
-        sum, size);
-    lanes.each([&](int l) WEFT_LANE { store(out, i0 + l, unit_or_zero(sum.get(l), size[l])); });
+        sum);
+    lanes.each([&](int l)
+                   WEFT_LANE { store(out, i0 + l, unit_or_zero(sum.vector.get(l), sum.size[l])); });
   }
 };
 

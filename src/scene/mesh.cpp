@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "base/message_host.h"
-#include "base/stable_sort_host.host.h"
+#include "base/stable_sort_host.h"
 #include "scene/check.h"
 #include "scene/faces.h"
 #include "scene/rows.h"

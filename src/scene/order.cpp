@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "base/stable_sort_host.host.h"
+#include "base/stable_sort_host.h"
 #include "scene/rows.h"
 
 namespace weft::scene {

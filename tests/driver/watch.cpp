@@ -36,7 +36,8 @@ void Run::check_events(ModelWorld& w, const Call& call, const Outcome& outcome, 
   for (uint32_t i = 0; i < events.count; ++i) {
     const weft::Event& e = events[i];
     require(e.text && e.text[0], "an event without a text");
-    require(std::strcmp(weft::to_string(e.type), "unknown") != 0, "an event of type %d", int(e.type));
+    require(std::strcmp(weft::to_string(e.type), "unknown") != 0, "an event of type %d",
+            int(e.type));
     require(e.time <= w.world.time(), "an event at %.9g s, now is %.9g s", e.time, w.world.time());
     tells_dropped |= e.type == EventType::time_dropped;
     tells_not_finite |= e.type == EventType::non_finite || e.type == EventType::force_overflow;

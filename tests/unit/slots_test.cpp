@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "base/stable_sort_host.host.h"
+#include "base/stable_sort_host.h"
 #include "weft/core.hpp"
 
 namespace weft {

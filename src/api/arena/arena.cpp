@@ -5,6 +5,7 @@
 
 #include "api/arena/fill.h"
 #include "api/arena/collider_inputs.h"
+#include "api/arena/origins.h"
 #include "api/arena/overflow.h"
 #include "api/arena/parts.h"
 #include "api/arena/pin_inputs.h"
@@ -69,7 +70,10 @@ class ArenaOf final : public Arena, public HostObject {
       cloth->settling = std::max(0, cloth->settling - input.substeps);
     }
     if (status == Status::ok) status = read_survey(in);
-    return status == Status::ok ? follow_cloths(in, input.workers) : status;
+    if (status != Status::ok) return status;
+    const Vec3Array<T> none{};
+    const Vec3Array<T> positions[] = {sim_.x[0], position_form_ ? sim_.x[2] : none, device_.before};
+    return follow_cloths(backend_, in, positions, input.workers);
   }
 
   Status watch_stretch(const ArenaInput& in) override {
@@ -286,38 +290,6 @@ class ArenaOf final : public Arena, public HostObject {
         backend_.to_host(found_.data(), sim_.survey, found_.size() * sizeof(Survey<T>));
     if (status == Status::ok) take_survey(in, found_);
     return status;
-  }
-
-  /// Takes the origins of cloths that have left theirs along. Inexact would only be a position that
-  /// the shift makes larger: a stray's.
-  Status follow_cloths(const ArenaInput& in, Workers workers) {
-    for (ClothRecord* cloth : in.cloths) {
-      const double3 by = way_of_origin(*cloth);
-      if (same(by, {0, 0, 0})) continue;
-      Status status = shift(sim_.x[0], *cloth, by, workers);
-      if (position_form_ && status == Status::ok) status = shift(sim_.x[2], *cloth, by, workers);
-      if (device_.before.data && status == Status::ok) {
-        status = shift(device_.before, *cloth, by, workers);
-      }
-      if (status != Status::ok) return status;
-      cloth->settling = substeps_to_settle;
-      cloth->origin = plus(cloth->origin, by);
-      cloth->low = shifted(cloth->low, by);
-      cloth->high = shifted(cloth->high, by);
-      cloth->middle = minus(cloth->middle, by);
-    }
-    return Status::ok;
-  }
-  /// Rounded like the positions.
-  static double3 shifted(const double3& x, const double3& by) {
-    const double3 now = minus(x, by);
-    return sizeof(T) == sizeof(float) ? rounded_to_float(now) : now;
-  }
-  Status shift(const Vec3Array<T>& of, const ClothRecord& cloth, const double3& by,
-               Workers workers) {
-    const Vec3Array<T> x{of.data + int64_t(cloth.first()) * stride(), of.pitch};
-    const auto particles = static_cast<int>(cloth.cooked().vertices);
-    return backend_.shift(OriginJob<T>{particles, x, narrow<T>(by)}, workers);
   }
 
   /// The positions before a frame, for outputs that lie between it and the next.

@@ -5,7 +5,7 @@
 
 #include "api/context/context_state.h"
 #include "api/context/vector_math.h"
-#include "base/stable_sort_host.host.h"
+#include "base/stable_sort_host.h"
 #include "scene/check.h"
 #include "scene/trigonometry.h"
 

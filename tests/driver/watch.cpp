@@ -31,7 +31,7 @@ void Run::check_events(ModelWorld& w, const Call& call, const Outcome& outcome, 
     return;
   }
   w.seen_events = seen;
-  if (w.in_flight || (failed && outcome.status != Status::diverged)) return;
+  if (w.in_flight || w.lost || (failed && outcome.status != Status::diverged)) return;
   bool tells_dropped = false, tells_not_finite = false;
   for (uint32_t i = 0; i < events.count; ++i) {
     const weft::Event& e = events[i];

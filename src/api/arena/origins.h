@@ -4,6 +4,7 @@
 #include "api/arena/arena.h"
 #include "api/arena/image.h"
 #include "api/arena/survey.h"
+#include "api/context/vector_math.h"
 
 namespace weft::api {
 
@@ -11,7 +12,7 @@ namespace weft::api {
 template <class T>
 double3 seen_from(const double3& origin, const double3& x) {
   const double3 now = minus(x, origin);
-  return sizeof(T) == sizeof(float) ? rounded_to_float(now) : now;
+  return sizeof(T) == sizeof(float) ? rounded_to_float(now) : now;  // not by narrow: see there
 }
 
 /// Takes the origins of cloths that have left theirs along; `positions` are all arrays that hold

@@ -153,6 +153,11 @@ Placed turned_further(const Placed& turn, const Placed& from) {
 }
 
 Placed continued(const Placed& from, const Placed& to) {
+  if (same_rotation(from, to)) {  // to the bit: what has not turned has no room for a turn
+    Placed on = to;
+    on.translate = plus(to.translate, minus(to.translate, from.translate));
+    return on;
+  }
   const auto [w, x, y, z] = from.rotation;
   Placed back;
   back.rotation = {w, -x, -y, -z};

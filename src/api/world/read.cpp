@@ -132,16 +132,17 @@ Status World::Impl::probe(const api::ClothRecord& cloth, Vector<api::Probed>& ou
   // Before the first step the displacement is that of the velocity that was given.
   if (!holds || !cloth.moved || cloth.asleep) return Status::ok;
   if (!probed) {
+    const double part = 1.0 / substeps_last;
     Vector<api::ColliderRecord> on(colliders.begin(), colliders.end());
     for (api::ColliderRecord& c : on) {
       c.gliding = c.went;
       c.since = c.went ? time : c.since;
-      if (c.went) c.target = api::continued(c.was, c.placed);
+      // One substep on: the arena may have been made anew for fewer than the last step had.
+      if (c.went) c.target = api::between(c.placed, api::continued(c.was, c.placed), part);
     }
     api::ArenaInput in = *built;
     in.colliders = &on;
-    const Status status =
-        arena->probe(in, {int(substeps_last), dt_before, dt_before, time, context->workers()});
+    const Status status = arena->probe(in, {1, dt_before, dt_before, time, context->workers()});
     if (status != Status::ok) return status;
     probed = true;
   }

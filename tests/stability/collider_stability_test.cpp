@@ -175,7 +175,9 @@ TEST_P(ColliderStability, AfterGravityIsSwitchedOffMomentumIsConstant) {
   for (int n = 1; n <= 200; ++n) {
     test.step(dt);
     const Vec now = from_weft(test.mechanics().momentum);
-    ASSERT_LE(length(now - momentum), 1e-7 * length(momentum)) << n;
+    // What rounding leaves: in float32 the last digits walk.
+    const double rounding = GetParam() == weft::Precision::float32 ? 2e-7 : 1e-12;
+    ASSERT_LE(length(now - momentum), rounding * length(momentum)) << n;
     const Vec expected = start + (n * dt / (0.01 * sheet.count())) * momentum;
     ASSERT_LE(length(centre() - expected), tolerance(GetParam(), length(expected))) << n;
   }

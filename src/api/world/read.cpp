@@ -318,11 +318,11 @@ Result<PlanInfo> World::plan() noexcept {
     }
     info.evaluations = {impl_->evaluations.data(), impl_->evaluations.size()};
     info.bytes_state = plan::device_bytes(in.shape, impl_->context->backend->info().vector_stride);
-    const uint64_t arena_now = impl_->built ? impl_->arena->bytes() : 0;
-    info.bytes_total = impl_->context->memory.held() - arena_now + info.bytes_state;
     return Status::ok;
   });
   if (status != Status::ok) return status;
+  const uint64_t arena_now = impl_->built ? impl_->arena->bytes() : 0;
+  info.bytes_total = impl_->context->memory.held() - arena_now + info.bytes_state;
   return info;
 }
 

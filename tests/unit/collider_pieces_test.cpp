@@ -136,7 +136,7 @@ TEST(ColliderPieces, WhatIsGivenAgainCountsOnce) {
     EXPECT_EQ(same.mesh.sides, expected.mesh.sides);
     ASSERT_EQ(same.mesh.diagnostics.size(), 1u);
     EXPECT_EQ(same.mesh.diagnostics[0].element, once.faces.size());
-    expect_words(same.mesh.diagnostics[0].text, {"given again", "counts once"});
+    expect_words(same.mesh.diagnostics[0].text.c_str(), {"given again", "counts once"});
 
     Triangles copied = once;  // on vertices of its own
     add(copied, once, {0, 0, 0}, reversed);

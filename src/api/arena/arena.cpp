@@ -5,6 +5,7 @@
 
 #include "api/arena/fill.h"
 #include "api/arena/collider_inputs.h"
+#include "api/arena/device_memory.h"
 #include "api/arena/origins.h"
 #include "api/arena/overflow.h"
 #include "api/arena/parts.h"
@@ -21,14 +22,18 @@ template <class T>
 class ArenaOf final : public Arena, public HostObject {
  public:
   explicit ArenaOf(ContextState& context)
-      : context_(context), backend_(*context.backend), colliders_(backend_), pins_(backend_) {}
-  ~ArenaOf() override { release(); }
+      : context_(context),
+        backend_(*context.backend),
+        memory_(context),
+        colliders_(backend_),
+        pins_(backend_) {}
 
   Status build(const ArenaInput& in, double dt, double time, Workers workers) override {
-    release();
-    Status status = allocate(plan::device_bytes(in.shape, stride()));
+    memory_.release();
+    device_ = {};
+    Status status = memory_.allocate(plan::device_bytes(in.shape, stride()));
     if (status != Status::ok) return status;
-    device_ = plan::cut<T>(in.shape, stride(), memory_);
+    device_ = plan::cut<T>(in.shape, stride(), memory_.data());
     sim_ = device_.sim;
     set_ranges(plan::compile_plan(in.shape));
     const Vector<ClothCounts> places = plan::places_of(in.shape);
@@ -59,10 +64,9 @@ class ArenaOf final : public Arena, public HostObject {
     Status status = colliders_.upload(in, input, device_);
     if (status == Status::ok) status = pins_.upload(in, input, device_.sim.pins);
     if (status == Status::ok) status = upload_parts(in);
-    if (status != Status::ok) return status;
-    if (device_.before.data) status = remember_positions();
-    if (status != Status::ok) return status;
+    if (status == Status::ok && device_.before.data) status = remember_positions();
     Frame<T> frame = make_frame(in, input);
+    if (status != Status::ok) return status;
     frame.by_block = colliders_.by_block();
     status = backend_.frame(frame);
     sim_ = frame.sim;
@@ -206,27 +210,6 @@ class ArenaOf final : public Arena, public HostObject {
  private:
   int stride() const { return backend_.info().vector_stride; }
 
-  Status allocate(size_t bytes) {
-    bytes = std::max<size_t>(bytes, 1);  // a world may be empty
-    memory_ = static_cast<char*>(backend_.allocate(context_.memory.hooks(), bytes));
-    if (!memory_) {
-      return context_.fail(
-          Status::out_of_memory,
-          text("no %zu bytes of device memory (the scene needs them) make it smaller", bytes));
-    }
-    allocated_ = bytes;
-    if (!backend_.info().host_memory) context_.memory.count(static_cast<std::ptrdiff_t>(bytes));
-    return Status::ok;
-  }
-  void release() {
-    if (!memory_) return;
-    backend_.release(context_.memory.hooks(), memory_, allocated_);
-    if (!backend_.info().host_memory)
-      context_.memory.count(-static_cast<std::ptrdiff_t>(allocated_));
-    memory_ = nullptr;
-    device_ = {};
-  }
-
   void set_ranges(const plan::Plan& plan) {
     for (const BlockRange& range : plan.ranges) sim_.ranges[sim_.range_count++] = range;
   }
@@ -235,17 +218,18 @@ class ArenaOf final : public Arena, public HostObject {
   /// it.
   Status fill(const ArenaInput& in, double dt, double time) {
     if (backend_.info().host_memory) {
-      std::memset(memory_, 0, allocated_);
+      std::memset(memory_.data(), 0, memory_.bytes());
       fill_at(in, dt, time, device_);
       return Status::ok;
     }
-    Vector<char> memory(allocated_ + 128);
+    const size_t bytes = memory_.bytes();
+    Vector<char> memory(bytes + 128);
     void* base = memory.data();
     size_t room = memory.size();
-    char* image = static_cast<char*>(std::align(128, allocated_, base, room));
+    char* image = static_cast<char*>(std::align(128, bytes, base, room));
     plan::DeviceArrays<T> arrays = plan::cut<T>(in.shape, stride(), image);
     fill_at(in, dt, time, arrays);
-    return backend_.to_device(memory_, image, allocated_);
+    return backend_.to_device(memory_.data(), image, bytes);
   }
   void fill_at(const ArenaInput& in, double dt, double time, plan::DeviceArrays<T>& image) {
     fill_image<T>(in, stride(), dt, time, image);
@@ -393,8 +377,7 @@ class ArenaOf final : public Arena, public HostObject {
 
   ContextState& context_;
   const Backend& backend_;
-  char* memory_ = nullptr;
-  size_t allocated_ = 0;
+  DeviceMemory memory_;
   plan::DeviceArrays<T> device_;  ///< as they were cut
   Simulation<T> sim_{};           ///< as the last frame left them: which buffer holds the present
   bool position_form_ = false;

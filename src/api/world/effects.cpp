@@ -138,6 +138,10 @@ void World::Impl::move(api::ColliderRecord& c, const api::Placed& to, Move how) 
   }
   probed = false;
   if (how == Move::teleport && !api::same_place(from, to)) wake_touched(c, 0);
+  if (!api::same(c.velocity, {0, 0, 0}) && frame_dt > 0) {
+    c.was = api::placed_at(c, time - frame_dt);
+    c.went = true;
+  }
   c.placed = from;
   c.velocity = {0, 0, 0};
   c.since = time;

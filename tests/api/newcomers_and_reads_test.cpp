@@ -88,5 +88,32 @@ TEST(ReadAtOnce, ClothThatWakesForOneStepSaysSo) {
   EXPECT_EQ(events[1].type, weft::EventType::slept);
 }
 
+/// A sheet with a pin in motion, made after a step, whose pin is led before the next.
+uint64_t state_of_a_led_newcomer(bool look_first) {
+  weft::WorldDesc desc;
+  desc.start = weft::Start::lagged;
+  TestWorld test(desc);
+  test.step(0.01);
+  weft::GridDesc grid;
+  grid.rows = grid.columns = 4;
+  weft::ClothDesc cloth;
+  cloth.spring_damping = 0.05;
+  const weft::Pin pins[] = {{5, 0}};
+  weft::PinMotion motion;
+  motion.velocity = {0.5, 3, 0};
+  cloth.pins = {pins, 1};
+  cloth.motions = {&motion, 1};
+  const weft::ClothId id = test.add(grid, cloth);
+  if (look_first) test.hash();
+  const std::vector<weft::double3> targets(16, {0.3, 0.4, 0.2});
+  test.check(test.world().set_skinned_targets(id, weft::View<weft::double3>(targets)));
+  test.step(0.01);
+  return test.hash();
+}
+
+TEST(ReadAtOnce, LookingAtANewcomerDoesNotChangeItsStart) {
+  EXPECT_EQ(state_of_a_led_newcomer(true), state_of_a_led_newcomer(false));
+}
+
 }  // namespace
 }  // namespace weft_tests

@@ -90,7 +90,7 @@ struct ModelWorld {
   double flight_dropped = 0;
   Seen seen;
   bool is_known = false;  ///< `seen` is how it is now
-  uint64_t seen_events = Digest().value();
+  uint64_t seen_events = Digest().value(), seen_frames = 0;
 };
 
 }  // namespace weft_tests::driver

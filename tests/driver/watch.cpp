@@ -30,7 +30,11 @@ void Run::check_events(ModelWorld& w, const Call& call, const Outcome& outcome, 
     require(seen == w.seen_events, "%s changed the events of the last step", call.name);
     return;
   }
+  // A step of no length keeps the events of the last, of cloths that may have gone since.
+  const bool is_new = seen != w.seen_events || w.world.stats().frames != w.seen_frames;
   w.seen_events = seen;
+  w.seen_frames = w.world.stats().frames;
+  if (!is_new) return;
   if (w.in_flight || w.lost || (failed && outcome.status != Status::diverged)) return;
   bool tells_dropped = false, tells_not_finite = false;
   for (uint32_t i = 0; i < events.count; ++i) {

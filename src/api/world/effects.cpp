@@ -174,6 +174,7 @@ Status World::wake(ClothId id) noexcept {
   if (!guard) return guard.status();
   api::ClothRecord* cloth = impl_->find(id);
   if (!cloth) return impl_->stale("cloth", id.index);
+  if (cloth->asleep) impl_->probed = false;
   api::wake(*cloth);
   return Status::ok;
 }

@@ -75,14 +75,17 @@ Status World::Impl::lead_pins(api::ClothRecord& cloth, View<uint32_t> vertices,
     if (pin->can_move && goes_to(*pin, place)) continue;
     if (!pin->can_move && pin->motion < 0 && api::same(pin->base, place)) continue;
     changes = true;
-    if (!pin->can_move) dirty = true;
+    dirty |= !pin->can_move || starting;  // the start displacements depend on it
     const double3 set_out = place_at(cloth, *pin, time + time_owed);  // when the last frame ended
     pin->base = place_at(cloth, *pin, time);
     pin->motion = -1;
     pin->can_move = cloth.pins_led = true;
     pin->way.give(set_out, place);
   }
-  if (changes) api::wake(cloth);
+  if (changes) {
+    api::wake(cloth);
+    probed = false;
+  }
   if (cloth.pins.size() != pins_before) dirty = true;
   return Status::ok;
 }

@@ -77,11 +77,6 @@ class HostObject {
     *static_cast<std::pmr::memory_resource**>(at) = memory;
     return static_cast<char*>(at) + header;
   }
-  /// Bytes that an object takes.
-  template <class Object>
-  static constexpr std::ptrdiff_t size_of() {
-    return static_cast<std::ptrdiff_t>(sizeof(Object) + header);
-  }
   static void operator delete(void* object, size_t bytes) noexcept {
     void* at = static_cast<char*>(object) - header;
     (*static_cast<std::pmr::memory_resource**>(at))->deallocate(at, bytes + header, header);

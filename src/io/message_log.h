@@ -23,7 +23,8 @@ class MessageLog {
 
   Log callback() { return {this, &MessageLog::receive}; }
   const std::vector<Message>& messages() const { return messages_; }
-  /// Text of the latest error without the name of its call, or the name of `status` when there was none.
+  /// Text of the latest error without the name of its call, or the name of `status` when there was
+  /// none.
   std::string last_error(Status status) const;
 
  private:

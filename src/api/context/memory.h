@@ -12,21 +12,19 @@
 namespace weft::api {
 
 /// The caller's allocator, or the C++ heap's, without a context that counts: for what a context
-/// itself lies in, which is counted once it is there. `sum` must live while memory is taken.
+/// itself lies in.
 template <class T>
 struct UncountedAllocator {
   using value_type = T;
-  explicit UncountedAllocator(const Allocator& user, std::ptrdiff_t* sum = nullptr)
-      : of(user), passed(sum) {}
+  explicit UncountedAllocator(const Allocator& user) : of(user) {}
   template <class Other>
-  UncountedAllocator(const UncountedAllocator<Other>& other) : of(other.of), passed(other.passed) {}
+  UncountedAllocator(const UncountedAllocator<Other>& other) : of(other.of) {}
 
   T* allocate(size_t count) {
     static_assert(alignof(T) <= alignof(std::max_align_t));
     void* at = of.allocate ? of.allocate(of.user, count * sizeof(T), alignof(std::max_align_t))
                            : std::malloc(count * sizeof(T));
     if (!at) throw std::bad_alloc();
-    if (passed) *passed += static_cast<std::ptrdiff_t>(count * sizeof(T));
     return static_cast<T*>(at);
   }
   void deallocate(T* at, size_t count) noexcept {
@@ -39,7 +37,6 @@ struct UncountedAllocator {
   }
 
   Allocator of;
-  std::ptrdiff_t* passed;  ///< bytes that were taken; null: nobody asks
 };
 
 class UncountedMemory final : public std::pmr::memory_resource {

@@ -60,10 +60,8 @@ Result<Context> Context::create(const ContextDesc& desc, uint32_t abi) noexcept 
       return refuse(Status::invalid_argument,
                     text("threads is %u (at most 1024) give a smaller number", desc.threads));
     }
-    std::ptrdiff_t own = 0;
     auto state = std::allocate_shared<ContextState>(
-        api::UncountedAllocator<ContextState>(desc.allocator, &own), desc);
-    state->memory.count(own);
+        api::UncountedAllocator<ContextState>(desc.allocator), desc);
     const MemoryScope scope(&state->memory);
     api::BackendChoice choice = api::choose_backend(desc.backend, desc.isa);
     if (!choice.backend) return refuse(Status::no_device, choice.refusal);
@@ -81,9 +79,7 @@ Result<Context> Context::create(const ContextDesc& desc, uint32_t abi) noexcept 
                                             : std::max(1u, std::thread::hardware_concurrency());
     if (!choice.fallback.empty()) state->say(Severity::info, choice.fallback);
     const MemoryScope of_context(&state->uncounted);
-    const auto made = new Impl(state);
-    state->memory.count(HostObject::size_of<Impl>());
-    return Context(made);
+    return Context(new Impl(state));
   } catch (const InvalidInput& problem) {
     return refuse(Status::invalid_argument, problem.what());
   } catch (const std::bad_alloc&) {

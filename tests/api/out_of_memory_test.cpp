@@ -308,41 +308,6 @@ TEST(OutOfMemory, NothingIsInFlightWhereNoThreadCouldBeMade) {
   EXPECT_EQ(*world->state_hash(), other.hash());
 }
 
-/// A step in which more fall asleep than events ever had room for takes that room before it begins.
-TEST(OutOfMemory, AStepOfManyEventsFailsBeforeItBegins) {
-  if (!on_host()) GTEST_SKIP() << "the runtime of a GPU has its own ways";
-  constexpr uint32_t cloths = 60;
-  weft::WorldDesc still = plain_world(weft::Precision::float64);
-  bool went_well = false;
-  for (long k = 1; k < 200 && !went_well; ++k) {
-    Memory memory;
-    weft::ContextDesc desc = TestWorld::one_thread();
-    desc.allocator = {&memory, Memory::allocate, Memory::deallocate};
-    TestWorld test(still, desc);
-    weft::ClothDesc calm;
-    calm.fabric = test.cook(weft::GridDesc());
-    calm.sleep_speed = 1;
-    calm.sleep_time = 0.015;
-    weft::ClothId last;
-    for (uint32_t c = 0; c < cloths; ++c) last = test.add(calm);
-    test.step(0.01);
-    memory.fails_at = memory.calls + k;
-    memory.persistent = memory.armed = true;
-    const Status status = test.world().step(0.01);
-    memory.armed = false;
-    went_well = status == Status::ok;
-    if (!went_well) {
-      ASSERT_EQ(status, Status::out_of_memory) << k;
-      ASSERT_EQ(test.world().time(), 0.01) << "failed and went on, at allocation " << k;
-      ASSERT_FALSE(test.take(test.world().asleep(last))) << k;
-      test.step(0.01);
-    }
-    ASSERT_EQ(test.world().time(), 0.02) << k;
-    ASSERT_EQ(test.world().events().count, cloths) << k;
-  }
-  EXPECT_TRUE(went_well);
-}
-
 TEST(OutOfMemory, ClothsCanBeDestroyedWithoutMemory) {
   if (!on_host()) GTEST_SKIP() << "the runtime of a GPU has its own ways";
   Memory memory;

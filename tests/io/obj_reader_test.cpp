@@ -101,6 +101,9 @@ TEST(ObjReader, NamesLineAndValueOfBadNumbers) {
 TEST(ObjReader, NamesLineAndValueOfBadFaces) {
   EXPECT_CONTAINS(error(triangle + "f 1 2\n"), "line 4: the face has 2 vertices");
   EXPECT_CONTAINS(error(triangle + "f 1 2 4\n"), "line 4: face index 4 is out of range");
+  EXPECT_CONTAINS(error(triangle + "f 1 2 9\nf 1 2 7\nf 3 2 9\nl 1 9\n"),
+                  "line 4: face index 9 is out of range");  // the first that names the highest
+  EXPECT_CONTAINS(error(triangle + "f 1 2 3\nl 1 2 5\nf 1 2 5\n"), "line 5: line index 5");
   EXPECT_CONTAINS(error(triangle + "f 0 1 2\n"), "line 4: face index 0 is out of range");
   EXPECT_CONTAINS(error(triangle + "f -4 1 2\n"), "line 4: face index -4 is out of range");
   EXPECT_CONTAINS(error(triangle + "f 1 2 99999999999\n"), "face index 99999999999");

@@ -95,10 +95,15 @@ TEST(PointCache, TakesNoMemoryForWhatIsNotThere) {
 }
 
 TEST(PointCache, RefusesPointsThatAreNotFinite) {
-  std::string bytes = file_of(2, 2, 12);
-  const float none = std::nanf("");
-  std::memcpy(bytes.data() + 32 + 4 * 10, &none, 4);
-  EXPECT_CONTAINS(refusal(bytes), "sample 1, point 1 is not finite");
+  for (const float bad : {std::nanf(""), std::numeric_limits<float>::infinity(),
+                          -std::numeric_limits<float>::infinity()}) {
+    for (size_t number = 0; number < 12; ++number) {
+      std::string bytes = file_of(2, 2, 12);
+      std::memcpy(bytes.data() + 32 + 4 * number, &bad, 4);
+      EXPECT_CONTAINS(refusal(bytes), "sample " + std::to_string(number / 6) + ", point " +
+                                          std::to_string(number / 3 % 2) + " is not finite");
+    }
+  }
 }
 
 TEST(PointCache, FailsWithoutATrace) {

@@ -199,6 +199,21 @@ TEST(Polygons, WarpedQuadsAreCutAlongTheShorterDiagonal) {
   }
 }
 
+/// A limacon turns to the left everywhere and goes twice round what its inner loop encloses.
+TEST(Polygons, ALoopWithinALoopCrossesFromAnyFirstCorner) {
+  for (const size_t n : {13, 25, 60}) {
+    Points points;
+    for (size_t i = 0; i < n; ++i) {
+      const double angle = 2 * pi * (double(i) + 0.3) / double(n), r = 0.5 + std::cos(angle);
+      points.push_back({r * std::cos(angle), r * std::sin(angle), 0});
+    }
+    for (size_t k = 0; k < n; ++k) {
+      std::rotate(points.begin(), points.begin() + 1, points.end());
+      EXPECT_EQ(cut(points, in_order(n)).cut, Cut::crossing) << n << " corners, from " << k + 1;
+    }
+  }
+}
+
 TEST(Polygons, WhatGoesRoundNothingIsNotCut) {
   EXPECT_EQ(cut({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}}, in_order(4)).cut, Cut::no_area);
   EXPECT_EQ(cut({{0, 0, 0}, {1, 1, 0}, {1, 0, 0}, {0, 1, 0}}, in_order(4)).cut, Cut::no_area);

@@ -268,6 +268,31 @@ TEST(Tethers, ShorterThanTheClothMakeNoEnergy) {
   EXPECT_LT(energy(0.98), 5);
 }
 
+/// A pin at constant speed that stops: what it dragged along flies on towards it, as fast.
+TEST_P(TethersInBoth, WhatAMovingPinDragsHasItsSpeed) {
+  constexpr double dt = 1.0 / 64, speed = 2;
+  for (const weft::Form form : {weft::Form::summed, weft::Form::position})
+    for (const Vec way : {Vec{1, 0, 0}, Vec{0, -1, 0}, Vec{0, 0, 1}, across}) {
+      weft::WorldDesc desc = plain_world(GetParam());
+      desc.form = form;
+      TestWorld test(desc);
+      TetheredMass mass;
+      mass.start = -1.0 * way;
+      const weft::ClothId cloth = mass.add_to(test);
+      const uint32_t pin[] = {0};
+      for (int n = 1; n <= 8; ++n) {
+        const weft::double3 to = to_weft(n * speed * dt * way);
+        test.check(test.world().move_pins(cloth, {pin, 1}, weft::View<weft::double3>(&to, 1)));
+        test.step(dt);
+        expect_near(test.position(cloth, 1), (n * speed * dt - 1) * way, 1e-5);
+      }
+      for (int n = 9; n <= 16; ++n) {
+        test.step(dt);
+        expect_near(test.position(cloth, 1), (n * speed * dt - 1) * way, 1e-4);
+      }
+    }
+}
+
 TEST(Tethers, FollowPinsThatAreAddedAndReleased) {
   TestWorld test;
   weft::GridDesc grid;

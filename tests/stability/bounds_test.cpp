@@ -359,5 +359,32 @@ TEST(Bound, WindLowersItAsADragThatCannotOvershoot) {
   }
 }
 
+/// Whichever corner of a triangle is pinned: the wind on it acts on all of its corners.
+TEST(Bound, WindLowersItAtEveryCornerOfATriangle) {
+  const weft::double3 corners[] = {{0, 0, 0}, {1, 0, 0}, {0.5, std::sqrt(0.75), 0}};
+  for (uint32_t first = 0; first < 3; ++first) {
+    for (uint32_t pinned = 0; pinned < 3; ++pinned) {
+      const uint32_t indices[] = {first, (first + 1) % 3, (first + 2) % 3};
+      weft::MeshDesc mesh;
+      mesh.positions = weft::View<weft::double3>(corners, 3);
+      mesh.indices = {indices, 3};
+      mesh.material.stiffness = 50;
+      mesh.material.mass.kind = weft::Mass::Kind::per_vertex;
+      const double masses[] = {0.1, 0.1, 0.1};
+      mesh.material.mass.values = {masses, 3};
+      const weft::Pin pin{pinned};
+      weft::ClothDesc cloth;
+      cloth.pins = {&pin, 1};
+      TestWorld test(plain_world(weft::Precision::float64));
+      test.add(mesh, cloth);
+      const double k = 4 / std::pow(test.world().stability().dt_bound, 2);
+      test.check(test.world().set_wind({{0, 30, 0}, 1.2, 0.9, 0.4}));
+      const double with = test.world().stability().dt_bound;
+      const double g = with * (1.2 / 12 * 30 * 0.9 * std::sqrt(0.75) / 0.1);  // 2 A = sqrt(3/4)
+      EXPECT_NEAR(with * with * k + 2 * g / (1 + g), 4, 1e-6) << first << " " << pinned;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace weft_tests

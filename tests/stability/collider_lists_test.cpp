@@ -35,8 +35,10 @@ TEST_P(ColliderLists, WhoLeavesTheRegionMeetsAllAlongEveryAxis) {
         const weft::VertexForce forces[] = {{0, to_weft(2.2 * way)}, {1, to_weft(2.2 * way)}};
         ASSERT_EQ(test.world().set_forces(cloth, weft::View<weft::VertexForce>(forces, 2)),
                   weft::Status::ok);
-        test.step(dt, 2);
-        for (const Vec x : test.positions(cloth)) EXPECT_NEAR(dot(x, way), 0.1, 1e-5);
+        for (int n = 0; n < 2; ++n) {  // in the first step already: nothing is pushed back later
+          test.step(dt);
+          for (const Vec x : test.positions(cloth)) EXPECT_NEAR(dot(x, way), 0.1, 1e-5) << n;
+        }
       }
 }
 

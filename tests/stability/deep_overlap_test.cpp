@@ -27,6 +27,28 @@ TEST_P(DeepOverlap, WhatStartsDeepInsideLeavesNoFasterThanItCame) {
       }
 }
 
+/// The way out is not gone on with either where the next step has another length: it is taken back
+/// as the recurrence of a changed step would go on with it.
+TEST_P(DeepOverlap, NoStepOfAnotherLengthGoesOnWithTheWayOut) {
+  const Vec top{0.25, 0.5, -0.125};
+  for (const weft::Form form : {weft::Form::summed, weft::Form::position})
+    for (const Body body : every_body)
+      for (const double next : {0.25, 0.5, 2.0, 4.0}) {
+        SCOPED_TRACE(testing::Message() << name(body) << ", form " << int(form) << " " << next);
+        weft::WorldDesc desc = plain_world(GetParam(), weft::Start::lagged);
+        desc.form = form;
+        TestWorld test(desc);
+        const weft::ClothId cloth = add_particles(test, {top - Vec{0, 0.04, 0}});
+        add_body(test, body, top, 0.1);
+        test.step(dt);
+        expect_near(test.position(cloth, 0), top, 1e-6);
+        test.step(next * dt);
+        expect_near(test.position(cloth, 0), top, 1e-5);
+        test.step(dt, 3);
+        expect_near(test.position(cloth, 0), top, 1e-4);
+      }
+}
+
 /// One step of a resting particle on the axis of a body about `middle`; true if that got it out.
 template <class Create>
 bool leaves_from_axis(weft::Precision precision, Vec at, double radius, Create create) {

@@ -94,6 +94,52 @@ TEST(ColliderPieces, AnInvertedPieceOutsideIsNamedWhereverItLies) {
   }
 }
 
+/// One face given both ways does not make the piece that others hold together turnable.
+TEST(ColliderPieces, AFaceGivenBothWaysDoesNotTurnItsPiece) {
+  for (size_t both = 0; both < 12; ++both) {
+    Triangles out = reference::box({1, 1, 1}), inverted;
+    add(inverted, out, {0, 0, 0}, true);
+    for (Triangles* mesh : {&out, &inverted}) {
+      auto f = mesh->faces[both];
+      std::swap(f[1], f[2]);
+      mesh->faces.push_back(f);
+    }
+    EXPECT_EQ(cook_mesh(out).refusal, "") << both;
+    expect_words(cook_mesh(inverted).refusal, {"the piece of triangle", "-8 m3"});
+  }
+}
+
+/// Weighted by angles, the normal of a box's corner is its diagonal however its faces are cut, and
+/// that of an edge lies halfway between its two faces.
+TEST(ColliderPieces, CornersAndEdgesOfABoxHaveTheNormalsOfAllTheirFaces) {
+  Triangles box = reference::box({1, 1, 1});
+  for (int first = 0; first < 3; ++first) {
+    for (auto& f : box.faces) std::rotate(f.begin(), f.begin() + 1, f.end());
+    const Cooked cooked = cook_mesh(box);
+    ASSERT_EQ(cooked.refusal, "");
+    ASSERT_EQ(cooked.mesh.triangles, 12u);
+    const auto at = [&](uint32_t t, uint32_t c) {
+      return &cooked.mesh.corners[9 * t + 3 * (c % 3)];
+    };
+    for (uint32_t t = 0; t < 12; ++t) {
+      for (uint32_t c = 0; c < 3; ++c) {
+        const double *edge = &cooked.mesh.sides[18 * t + 3 * c], *corner = edge + 9;
+        for (int k = 0; k < 3; ++k) {
+          EXPECT_NEAR(corner[k], at(t, c)[k] / std::sqrt(3.0), 1e-9) << t << " " << c;
+        }
+        double middle[3], size2 = 0;  // of a whole edge, or of a diagonal across a face
+        for (int k = 0; k < 3; ++k) {
+          middle[k] = (at(t, c)[k] + at(t, c + 1)[k]) / 2;
+          size2 += middle[k] * middle[k];
+        }
+        for (int k = 0; k < 3; ++k) {
+          EXPECT_NEAR(edge[k], middle[k] / std::sqrt(size2), 1e-9) << t << " " << c;
+        }
+      }
+    }
+  }
+}
+
 TEST(ColliderPieces, TouchInAVertexWithANormalEach) {
   const auto corner_normals = [](const Triangles& mesh, uint32_t faces) {
     const Cooked cooked = cook_mesh(mesh);

@@ -214,8 +214,8 @@ struct CollideStage {
       }
       if (cell[l] == no_cell) return;
       if (cell[l] != is_fast && !is_occupied(mesh.grid, brick[l])) return;
-      const MeshContact<T> contact =
-          mesh_contact(mesh.grid, from.get(l), to.get(l), sim.near_memory[i0 + l], number);
+      const MeshContact<T> contact = mesh_contact(mesh.grid, from.get(l), to.get(l),
+                                                  sim.near_memory[i0 + l], number, Position);
       if (!contact.hit) return;
       any = true;
       wanted.hit[l] = contact.stopped ? T(2) : contact.slides ? T(3) : T(1);

@@ -98,10 +98,15 @@ struct Contact {
     const T before_depth = larger(T(0), start.depth);
     const bool deep = before_depth > surface_of(p1);
     // 1 - |n1 - n0|^2/2 is their product, and 1 to the last bit where the surface is flat.
-    const Vec3<T> bend = out.normal - start.normal;
+    // Where the substep began, in the world: a body that spins must not take the normal along. A
+    // flat face turns with its body.
+    const bool one_face = !(magnitude2(out.normal - start.normal) > T(0));
+    const Vec3<T> out_now = turned(now, out.normal);
+    const Vec3<T> start_now = select(one_face, out_now, turned(before, start.normal));
+    const Vec3<T> bend = out_now - start_now;
     const T cosine = T(1) - T(0.5) * magnitude2(bend);
     const bool held_back = deep | (cosine < T(0.5));
-    const Vec3<T> normal = turned(now, select(held_back, out.normal, start.normal));
+    const Vec3<T> normal = select(held_back, out_now, start_now);
     const T per_depth = T(1) / (held_back ? T(1) : cosine);
     const Vec3<T> d = displacement_of(i, x), slip = d - along;
     const T across = dot(slip, normal);
@@ -112,7 +117,7 @@ struct Contact {
     const T held = part_held(sliding, most);
     const Vec3<T> drag = (-held) * sliding;
     // A slide that is taken back leads below a surface that is curved.
-    const T bent = held_back ? T(0) : dot(sliding, turned(now, bend));
+    const T bent = held_back ? T(0) : dot(sliding, bend);
     const T again = (held - T(0.5) * held * held) * bent;
     // What lay on the surface and sticks there is where it was, to the last bit.
     const bool flat = !(magnitude2(bend) > T(0));

@@ -188,15 +188,34 @@ WEFT_HD bool is_long(const TriangleGrid<T>& grid, Vec3<T> way) {
   return dot(way, way) > short_way * short_way;
 }
 
+/// In the position form what was stopped on its way must go on along the surface there, unless it
+/// meets another: the way that is lost would be speed. Only the way into the surface is taken.
+template <class T>
+WEFT_HD MeshContact<T> slide_on(const TriangleGrid<T>& grid, Vec3<T> p1,
+                                const MeshContact<T>& entry) {
+  if (!entry.hit || !entry.stopped) return entry;
+  const Vec3<T> left = p1 - entry.to;
+  const T into = dot(left, entry.normal);
+  if (!(into < T(0))) return entry;
+  const Vec3<T> end = p1 - into * entry.normal;
+  const Vec3<T> lift = (T(0.02) * grid.thickness) * entry.normal;
+  const MeshContact<T> other = sweep(grid, entry.to + lift, end + lift);
+  if (other.hit) return entry;
+  return {true, end, entry.normal, false, -1, true, false};
+}
+
 /// A long way that begins on the surface, and into it, slides: along the tangent there, and back to
 /// the surface along the normal there. What it meets on the tangent stops it.
 template <class T>
 WEFT_HD_COLD MeshContact<T> far(const TriangleGrid<T>& grid, Vec3<T> p0, Vec3<T> p1,
-                                const NearMemory<T>& memory, int32_t mesh) {
+                                const NearMemory<T>& memory, int32_t mesh, bool goes_on) {
   const Nearest<T> start = nearest_about(grid, p0, memory, mesh);
   const T distance = square_root(start.distance2), above = distance - grid.thickness;
   const T trifle = T(0.01) * grid.thickness;
-  if (start.triangle < 0 || start.inside || magnitude(above) > trifle) return sweep(grid, p0, p1);
+  if (start.triangle < 0 || start.inside || magnitude(above) > trifle) {
+    const MeshContact<T> entry = sweep(grid, p0, p1);
+    return goes_on ? slide_on(grid, p1, entry) : entry;
+  }
   const Vec3<T> normal = (T(1) / distance) * start.away;
   const T into = dot(p1 - p0, normal);
   if (!(into < T(0))) return sweep(grid, p0, p1);
@@ -214,14 +233,14 @@ WEFT_HD_COLD MeshContact<T> far(const TriangleGrid<T>& grid, Vec3<T> p0, Vec3<T>
 /// Contact of a particle that moves from p0 to p1, both in the mesh's own frame.
 template <class T>
 WEFT_HD MeshContact<T> mesh_contact(const TriangleGrid<T>& grid, Vec3<T> p0, Vec3<T> p1) {
-  if (is_long(grid, p1 - p0)) return far(grid, p0, p1, NearMemory<T>{}, 1);
+  if (is_long(grid, p1 - p0)) return far(grid, p0, p1, NearMemory<T>{}, 1, false);
   return touch(grid, nearest(grid, p1), p0, p1).contact;
 }
 /// The same with the memory of the particle; `mesh` names the collider in it.
 template <class T>
 WEFT_HD MeshContact<T> mesh_contact(const TriangleGrid<T>& grid, Vec3<T> p0, Vec3<T> p1,
-                                    NearMemory<T>& memory, int32_t mesh) {
-  if (is_long(grid, p1 - p0)) return far(grid, p0, p1, memory, mesh);
+                                    NearMemory<T>& memory, int32_t mesh, bool goes_on = false) {
+  if (is_long(grid, p1 - p0)) return far(grid, p0, p1, memory, mesh, goes_on);
   const Nearest<T> near = nearest(grid, p1, memory, mesh);
   if (near.triangle < 0) return untouched(p1);
   return touch(grid, near, p0, p1).contact;

@@ -88,8 +88,9 @@ struct MeshResponse {
     const Vec3<T> x0 = load(p.x_in, i), along = carried(before, now, x0), slip = d - along;
     // The correction is turned, not the position: nothing is lost far from the mesh's origin.
     const Vec3<T> whole = wanted.push.get(l), end = wanted.normal.get(l);
-    const Vec3<T> start = wanted.start.get(l), bend = end - start;
-    const Vec3<T> start_now = turned(now, rotation * start);
+    const Vec3<T> start = wanted.start.get(l);
+    const Vec3<T> start_now = turned(before, rotation * start);
+    const Vec3<T> bend = turned(now, rotation * end) - start_now;
     const T cosine = T(1) - T(0.5) * magnitude2(bend);
     const T depth = dot(whole, end), start_depth = wanted.start_depth[l];
     const T per_depth = T(1) / (cosine < T(0.5) ? T(1) : cosine);
@@ -108,7 +109,7 @@ struct MeshResponse {
     const T held = part_held(sliding, most);
     const Vec3<T> drag = (-held) * sliding;
     // What lay on the surface and sticks there is where it was, to the last bit.
-    const T bent = from_start ? dot(sliding, turned(now, rotation * bend)) : T(0);
+    const T bent = from_start ? dot(sliding, bend) : T(0);
     const T again = (held - T(0.5) * held * held) * bent;  // below a surface that is curved
     const T above = from_start ? magnitude(start_depth) - magnitude(bent)
                                : magnitude(closing - dot(push, normal));

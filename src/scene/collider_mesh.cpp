@@ -174,6 +174,22 @@ static void check_extent(const Vector<double3>& positions, double thickness) {
            thickness, size, size / most_thicknesses));
 }
 
+/// The middle of what is further from zero than it is large.
+static double3 origin_of(const Vector<double3>& positions) {
+  if (positions.empty()) return {0, 0, 0};
+  double3 low = positions.front(), high = low;
+  for (const double3& x : positions) {
+    low = {std::min(low.x, x.x), std::min(low.y, x.y), std::min(low.z, x.z)};
+    high = {std::max(high.x, x.x), std::max(high.y, x.y), std::max(high.z, x.z)};
+  }
+  const double size = std::max({high.x - low.x, high.y - low.y, high.z - low.z});
+  const auto whole = [size](double a, double b) {
+    const double middle = a / 2 + b / 2;
+    return std::fabs(middle) > 2 * size + 1 ? std::nearbyint(middle) : 0;
+  };
+  return {whole(low.x, high.x), whole(low.y, high.y), whole(low.z, high.z)};
+}
+
 void cook_collider_mesh(const ColliderMeshDesc& desc, CookedColliderMesh& mesh) {
   check_positive(desc.thickness, "thickness");
   check_indices(desc);
@@ -185,6 +201,10 @@ void cook_collider_mesh(const ColliderMeshDesc& desc, CookedColliderMesh& mesh) 
   for (uint32_t i = 0; i < desc.indices.count; ++i) indices[i] = desc.indices[i];
   Surface surface = make_surface(std::move(positions), indices, desc.weld_distance, desc.closed,
                                  mesh.diagnostics);
+  mesh.origin = origin_of(surface.positions);
+  for (double3& x : surface.positions) {
+    x = {x.x - mesh.origin.x, x.y - mesh.origin.y, x.z - mesh.origin.z};
+  }
   check_areas(desc, surface);
   check_extent(surface.positions, desc.thickness);
   if (desc.closed) check_closed(surface);

@@ -19,6 +19,9 @@ struct CookedColliderMesh {
   uint32_t triangles = 0;  ///< that have an area
   double thickness = 0;    ///< m
   bool closed = false;
+  /// Whole metres: what follows is relative to it. Zero unless the mesh lies far from its own
+  /// origin, where floats would be coarse.
+  double3 origin{};
   double3 zone_low{}, zone_high{};  ///< box that holds everything nearer than the thickness
 
   double3 grid_low{};

@@ -17,7 +17,11 @@ namespace {
 /// Displacement of the substep before the present one.
 double3 start_displacement(const ClothRecord& cloth, uint32_t v, double dt, double time) {
   if (const PinRecord* pin = cloth.pin_of(v)) {
-    if (pin->motion < 0) return {0, 0, 0};
+    const bool led = pin->way.state != Way<double3>::State::none;
+    if (pin->motion < 0 && !led) return {0, 0, 0};
+    if (pin->motion < 0) {  // on its way from the start: as fast as the cloth
+      return times(dt, cloth.velocities.empty() ? cloth.velocity : cloth.velocities[v]);
+    }
     const PinMotion& m = cloth.motions[static_cast<size_t>(pin->motion)];
     return minus(motion_offset(m, time), motion_offset(m, time - dt));
   }

@@ -149,10 +149,11 @@ ColliderRecord record_of(const MeshColliderDesc& desc) {
     throw InvalidInput(
         "mesh.mesh is empty (there is nothing to collide with) cook a ColliderMesh first");
   }
-  r.described = placed_by(desc.pose, "mesh.pose");
-  r.point = r.described.translate;
   r.mesh = desc.mesh;
   r.cooked_mesh = &desc.mesh.impl()->cooked;
+  r.described = placed_by(desc.pose, "mesh.pose");
+  r.described.translate = to_world(r.described, r.cooked_mesh->origin);
+  r.point = r.described.translate;
   const double3 low = r.cooked_mesh->zone_low, high = r.cooked_mesh->zone_high;
   const double3 middle = plus(times(0.5, low), times(0.5, high));
   r.to_point = times(-1, middle);

@@ -18,8 +18,9 @@ struct Pose {
 // particle sticks to the surface without creep, on it it slides. `velocity` (m/s) moves the
 // collider and what sticks to it until move_collider says otherwise. A particle that moves further
 // in a substep than a quarter of a collider's least half-width, relative to it, is swept: it stops
-// where it enters. In the position form velocities follow from positions alone, so a particle that
-// was deep inside leaves with speed.
+// where it enters; at a mesh in the position form, where a way that is lost would be speed, it goes
+// on along the surface. What was deep inside leaves without speed. A collider that is moved turns
+// about its own middle (of a mesh: of its bounds), which goes straight, by the shorter way.
 
 /// A particle at the very centre leaves along +y.
 struct SphereDesc {
@@ -69,8 +70,7 @@ struct MeshColliderDesc {
   double friction = 0;
 };
 /// How a collider gets to a new place: along the way, with a velocity that contact takes up, or at
-/// once, with none (but see Form::position: what a teleport leaves deep inside is moved out, and in
-/// that form a move is a velocity).
+/// once, with none.
 enum class Move : uint8_t { simulate, teleport };
 
 /// The colliders of a character, sent whole every frame. The order is their identity: element i of

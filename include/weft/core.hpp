@@ -153,7 +153,8 @@ struct Allocator {
 /// Receives every message of a context, on the thread that made the call; null means none.
 /// Error texts read `<call>, cloth <index>: <problem> (<why it is a problem>) <what to do>`, the
 /// cloth where the call is about one, and have at most 511 characters. A text is told eight times,
-/// and then whenever its count has doubled, with the count.
+/// and then whenever its count has doubled, with the count; texts that differ by numbers alone are
+/// told 128 times, and then as rarely.
 struct Log {
   void* user = nullptr;
   void (*message)(void* user, Severity, const char* text) = nullptr;

@@ -11,7 +11,7 @@
 namespace weft_tests {
 namespace {
 
-weft::GridDesc sheet(uint32_t n) {
+weft::GridDesc sheet_of(uint32_t n) {
   weft::GridDesc grid;
   grid.rows = grid.columns = n;
   return grid;
@@ -19,8 +19,8 @@ weft::GridDesc sheet(uint32_t n) {
 
 TEST(AnyThread, MayAskWhileAnotherStepsAndChangesTheWorld) {
   TestWorld test, alone;
-  const weft::ClothId kept = test.add(sheet(12), {});
-  alone.add(sheet(12), {});
+  const weft::ClothId kept = test.add(sheet_of(12), {});
+  alone.add(sheet_of(12), {});
   std::atomic<bool> stop{false};
   std::atomic<int> asked{0}, wrong{0};
   const auto ask = [&] {
@@ -40,7 +40,7 @@ TEST(AnyThread, MayAskWhileAnotherStepsAndChangesTheWorld) {
   };
   std::thread one(ask), another(ask);
   weft::ClothDesc guest;
-  guest.fabric = test.cook(sheet(6));
+  guest.fabric = test.cook(sheet_of(6));
   for (int i = 0; i < 40 || asked < 100; ++i) {
     const weft::ClothId id = test.add(guest);
     test.step(1.0 / 60);
@@ -86,7 +86,7 @@ TEST(Lifetime, AWorldWaitsForItsStep) {
       {
         auto world = context->create_world();
         weft::ClothDesc cloth;
-        auto fabric = context->cook(sheet(40));
+        auto fabric = context->cook(sheet_of(40));
         cloth.fabric = *fabric;
         ASSERT_TRUE(world->create_cloth(cloth));
         ASSERT_EQ(world->begin_step(0.2), weft::Status::ok);
@@ -103,7 +103,7 @@ TEST(Lifetime, WhatDrawsMayDestroy) {
   auto world = context->create_world();
   weft::ClothDesc cloth;
   {
-    auto fabric = context->cook(sheet(5));
+    auto fabric = context->cook(sheet_of(5));
     cloth.fabric = *fabric;
   }
   const auto id = world->create_cloth(cloth);
@@ -135,7 +135,7 @@ TEST(Lifetime, ADivergedClothIsDrawnWithoutLinesToNowhere) {
   const weft::Pin pin{0};
   weft::ClothDesc cloth;
   cloth.pins = {&pin, 1};
-  test.add(sheet(6), cloth);
+  test.add(sheet_of(6), cloth);
   weft::Status status = weft::Status::ok;
   for (int i = 0; i < 3000 && status == weft::Status::ok; ++i) status = test.world().step(0.1);
   ASSERT_EQ(status, weft::Status::diverged);
@@ -170,7 +170,7 @@ TEST(Ids, OfSeventyThousandWorldsAreAllDifferent) {
 
 TEST(Ids, OfDifferentKindsAreDifferent) {
   TestWorld test;
-  const weft::ClothId cloth = test.add(sheet(3), {});
+  const weft::ClothId cloth = test.add(sheet_of(3), {});
   const weft::ColliderId ball = test.take(test.world().create_sphere({}));
   const weft::ColliderSetId set = test.take(test.world().create_collider_set({}));
   const std::set<std::pair<uint32_t, uint32_t>> all{
@@ -180,8 +180,8 @@ TEST(Ids, OfDifferentKindsAreDifferent) {
 
 TEST(Messages, NameTheCallAndTheCloth) {
   TestWorld test;
-  test.add(sheet(3), {});
-  const weft::ClothId second = test.add(sheet(3), {});
+  test.add(sheet_of(3), {});
+  const weft::ClothId second = test.add(sheet_of(3), {});
   const uint32_t vertex = 99;
   EXPECT_NE(test.world().release_pins(second, {&vertex, 1}), weft::Status::ok);
   EXPECT_NE(test.log().find("release_pins, cloth 1: "), std::string::npos) << test.log();
@@ -227,7 +227,7 @@ TEST(Tables, OfHalfABillionSubstepsAreRefused) {
     weft::ClothDesc cloth;
     cloth.pins = {&pin, turns ? 0u : 1u};
     cloth.motions = {&motion, turns ? 0u : 1u};
-    test.add(sheet(2), cloth);
+    test.add(sheet_of(2), cloth);
     if (turns) {
       weft::BoxDesc box;
       box.center = {0, -9, 0};
@@ -244,7 +244,7 @@ TEST(Tables, OfHalfABillionSubstepsAreRefused) {
 
 TEST(Stats, CountTheTimeOfProcessors) {
   TestWorld test;
-  test.add(sheet(60), {});
+  test.add(sheet_of(60), {});
   test.step(1.0 / 60, 10);
   const weft::Stats stats = test.world().stats();
   EXPECT_GT(stats.cpu_seconds, 0);

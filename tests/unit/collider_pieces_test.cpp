@@ -51,7 +51,7 @@ void add(Triangles& to, Triangles piece, Vec shift = {0, 0, 0}, bool inverted = 
   }
 }
 
-void expect_words(const std::string& text, const std::vector<std::string>& words) {
+void expect_said(const std::string& text, const std::vector<std::string>& words) {
   for (const std::string& word : words) EXPECT_NE(text.find(word), std::string::npos) << text;
 }
 
@@ -74,10 +74,10 @@ TEST(ColliderPieces, AnInvertedPieceIsACavityInsideAnotherOnly) {
     EXPECT_EQ(nested({false, true, false}, balls), "") << "a body in a hollow";
     EXPECT_EQ(nested({false, true, false, true}, balls), "") << "and that hollow, too";
     EXPECT_EQ(nested({false, false}, balls), "") << "a body in a body";
-    expect_words(nested({true}, balls), {"piece of triangle 0", "reverse the triangles"});
-    expect_words(nested({true, false}, balls), {"piece of triangle 0"});
-    expect_words(nested({false, true, true}, balls), {"does not lie in another piece"});
-    expect_words(nested({true, true}, balls), {"piece of triangle"});
+    expect_said(nested({true}, balls), {"piece of triangle 0", "reverse the triangles"});
+    expect_said(nested({true, false}, balls), {"piece of triangle 0"});
+    expect_said(nested({false, true, true}, balls), {"does not lie in another piece"});
+    expect_said(nested({true, true}, balls), {"piece of triangle"});
   }
 }
 
@@ -87,10 +87,10 @@ TEST(ColliderPieces, AnInvertedPieceOutsideIsNamedWhereverItLies) {
   for (const Vec& shift : aside) {
     Triangles mesh = reference::box({1, 1, 1});
     add(mesh, reference::box({0.5, 0.5, 0.5}), shift, true);
-    expect_words(cook_mesh(mesh).refusal, {"the piece of triangle 1", "of 12 triangles", "-1 m3"});
+    expect_said(cook_mesh(mesh).refusal, {"the piece of triangle 1", "of 12 triangles", "-1 m3"});
     Triangles far;
     add(far, mesh, {1e5, -2e5, 3e5});
-    expect_words(cook_mesh(far).refusal, {"the piece of triangle 1"});
+    expect_said(cook_mesh(far).refusal, {"the piece of triangle 1"});
   }
 }
 
@@ -105,7 +105,7 @@ TEST(ColliderPieces, AFaceGivenBothWaysDoesNotTurnItsPiece) {
       mesh->faces.push_back(f);
     }
     EXPECT_EQ(cook_mesh(out).refusal, "") << both;
-    expect_words(cook_mesh(inverted).refusal, {"the piece of triangle", "-8 m3"});
+    expect_said(cook_mesh(inverted).refusal, {"the piece of triangle", "-8 m3"});
   }
 }
 
@@ -182,7 +182,7 @@ TEST(ColliderPieces, WhatIsGivenAgainCountsOnce) {
     EXPECT_EQ(same.mesh.sides, expected.mesh.sides);
     ASSERT_EQ(same.mesh.diagnostics.size(), 1u);
     EXPECT_EQ(same.mesh.diagnostics[0].element, once.faces.size());
-    expect_words(same.mesh.diagnostics[0].text.c_str(), {"given again", "counts once"});
+    expect_said(same.mesh.diagnostics[0].text.c_str(), {"given again", "counts once"});
 
     Triangles copied = once;  // on vertices of its own
     add(copied, once, {0, 0, 0}, reversed);
@@ -244,19 +244,19 @@ TEST(ColliderPieces, SeamsThatRoundingOpenedAreClosed) {
 
 TEST(ColliderPieces, AnOpenSeamSaysHowNearItIs) {
   const std::string refusal = cook_mesh(globe(3e-4, 1, {0, 0, 0})).refusal;
-  expect_words(refusal, {"triangle", "only", "0.0003 m apart", "weld_distance"});
+  expect_said(refusal, {"triangle", "only", "0.0003 m apart", "weld_distance"});
   EXPECT_EQ(cook_mesh(globe(3e-4, 1, {0, 0, 0}), 4e-4).refusal, "");
   EXPECT_NE(cook_mesh(globe(3e-4, 1, {0, 0, 0}), 2e-4).refusal, "");
   EXPECT_EQ(cook_mesh(globe(3e-4, 1, {0, 0, 0}), 0, false).refusal, "");
   for (const double bad : {-1.0, std::nan(""), HUGE_VAL}) {
-    expect_words(cook_mesh(globe(0, 1, {0, 0, 0}), bad).refusal, {"weld_distance"});
+    expect_said(cook_mesh(globe(0, 1, {0, 0, 0}), bad).refusal, {"weld_distance"});
   }
 }
 
 TEST(ColliderPieces, AnEdgeOfFourTrianglesIsRefused) {
   Triangles mesh = reference::box({1, 1, 1});
   add(mesh, reference::box({1, 1, 1}), {2, 2, 0});  // they share an edge
-  expect_words(cook_mesh(mesh).refusal, {"has 4 triangles", "closed to false"});
+  expect_said(cook_mesh(mesh).refusal, {"has 4 triangles", "closed to false"});
 }
 
 TEST(ColliderPieces, ManyCavitiesTakeNoLongerThanTheirTriangles) {
@@ -267,7 +267,7 @@ TEST(ColliderPieces, ManyCavitiesTakeNoLongerThanTheirTriangles) {
   }
   EXPECT_EQ(cook_mesh(mesh).refusal, "");
   add(mesh, reference::box({1, 1, 1}), {0, 101.5, 0}, true);
-  expect_words(cook_mesh(mesh).refusal, {"the piece of triangle 12012"});
+  expect_said(cook_mesh(mesh).refusal, {"the piece of triangle 12012"});
 }
 
 }  // namespace

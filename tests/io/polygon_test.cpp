@@ -201,7 +201,7 @@ TEST(Polygons, WarpedQuadsAreCutAlongTheShorterDiagonal) {
 
 /// A limacon turns to the left everywhere and goes twice round what its inner loop encloses.
 TEST(Polygons, ALoopWithinALoopCrossesFromAnyFirstCorner) {
-  for (const size_t n : {13, 25, 60}) {
+  for (const size_t n : {size_t(13), size_t(25), size_t(60)}) {
     Points points;
     for (size_t i = 0; i < n; ++i) {
       const double angle = 2 * pi * (double(i) + 0.3) / double(n), r = 0.5 + std::cos(angle);

@@ -37,14 +37,26 @@ typedef struct weft_cloth_settings {
    * pins are added or released (0.2 us per vertex); moving them costs nothing. */
   double tether_scale;
   double tether_compliance; /**< m/N; 0: hard, else as XPBD has it */
+  /** m: nearer than this its particles touch, in a world with self-collision; 0: the world's
+   * distance. Two cloths take the mean of theirs. */
+  double collision_distance;
   weft_drag_model drag_model;
+  uint8_t collides_itself; /**< 0 or 1, the default: particles of this cloth meet each other */
+  uint8_t collides_others; /**< 0 or 1, the default: they meet those of other cloths */
+  /** Default: all bits. A cloth and another, or a cloth and a collider, meet where both have a bit
+   * in common. */
+  uint32_t collision_layers;
 } weft_cloth_settings;
 
 #ifdef __cplusplus
 namespace weft {
 inline namespace v0 {
 struct ClothSettings : weft_cloth_settings {
-  constexpr ClothSettings() : weft_cloth_settings{} { sleep_time = 0.5; }
+  constexpr ClothSettings() : weft_cloth_settings{} {
+    sleep_time = 0.5;
+    collides_itself = collides_others = 1;
+    collision_layers = ~0u;
+  }
 };
 
 /// The numbers by name, for whoever treats them all alike: checks, messages, an editor's sliders.
@@ -59,6 +71,7 @@ inline constexpr ClothNumber cloth_numbers[] = {
     {"sleep_time", &weft_cloth_settings::sleep_time},
     {"tether_scale", &weft_cloth_settings::tether_scale},
     {"tether_compliance", &weft_cloth_settings::tether_compliance},
+    {"collision_distance", &weft_cloth_settings::collision_distance},
 };
 static_assert(sizeof cloth_numbers / sizeof *cloth_numbers * sizeof(double) + sizeof(double) ==
                   sizeof(ClothSettings),

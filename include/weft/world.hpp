@@ -4,6 +4,7 @@
 #include "weft/cloth_settings.h"
 #include "weft/colliders.hpp"
 #include "weft/plan.hpp"
+#include "weft/self_collision.hpp"
 
 namespace weft {
 inline namespace v0 {
@@ -268,6 +269,15 @@ class WEFT_API World {
   /// A cloth without triangles, a network, feels no wind: the log says so.
   Status set_wind(const WindDesc&) noexcept;
   Status clear_wind() noexcept;
+  /// Lets cloths meet themselves and each other; replaces what was set before. Wakes all.
+  Status set_self_collision(const SelfCollisionDesc&) noexcept;
+  Status clear_self_collision() noexcept;
+  /// Of a world without self-collision all are 0.
+  Result<ContactCounts> contacts() noexcept;
+  /// The pairs that the search finds nearer than their distance at the present positions, ascending
+  /// by cloth and vertex, each once; `with_excluded`: those of too short a rest distance too. Valid
+  /// until the next call. invalid_argument without self-collision.
+  Result<View<NearPair>> near_pairs(bool with_excluded = false) noexcept;
   /// Wakes a sleeping cloth. A moving collider that reaches it, a moved or released pin, a change
   /// of its forces, of wind or of gravity wake it too.
   Status wake(ClothId) noexcept;

@@ -205,6 +205,11 @@ class ArenaOf final : public Arena, public HostObject {
     return find_overflow(backend_, device_.sim.edges, found);
   }
 
+  Status near_pairs(const ArenaInput&, bool, Workers, Vector<NearPair>&) override {
+    return Status::ok;
+  }
+  void list_counts(uint64_t& lists, uint64_t& listed) const override { lists = listed = 0; }
+
   uint64_t bytes() const override { return device_.bytes; }
 
  private:

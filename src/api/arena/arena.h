@@ -19,6 +19,7 @@ struct ArenaInput {
   Vector<ClothRecord*> cloths;  ///< by kernel, then by creation
   const Vector<ColliderRecord>* colliders;
   const WindDesc* wind;                             ///< null: none
+  const SelfCollisionDesc* self_collision;          ///< null: none
   Vector<const scene::CookedColliderMesh*> meshes;  ///< each that a collider uses, once
   Vector<size_t> mesh_of_collider;                  ///< by mesh collider, into `meshes`
   plan::WorldShape shape;
@@ -86,6 +87,12 @@ class Arena {
   virtual Status write(const ClothRecord&, const VertexTarget&, Workers) = 0;
   /// Particles stand where they were when it happened.
   virtual Status force_overflow(ForceOverflow&) = 0;
+  /// Pairs that self-collision finds nearer than their distance now, ascending by cloth in order of
+  /// creation and by vertex.
+  virtual Status near_pairs(const ArenaInput&, bool with_excluded, Workers,
+                            Vector<NearPair>&) = 0;
+  /// Lists made so far, and pairs in the last.
+  virtual void list_counts(uint64_t& lists, uint64_t& listed) const = 0;
   virtual uint64_t bytes() const = 0;
 };
 

@@ -153,6 +153,8 @@ struct __attribute__((visibility("hidden"))) World::Impl : HostObject {
   Vector<api::OutputRecord> outputs;  ///< by slot; null id: free
   api::Slots<OutputId> output_ids;
   std::optional<WindDesc> wind;
+  std::optional<SelfCollisionDesc> self_collision;
+  Vector<NearPair> pairs;  ///< what near_pairs() points to
   bool normals_wanted = false;  ///< of meshes, whose triangles then lie on the device
 
   std::unique_ptr<api::Arena> arena;

@@ -67,6 +67,7 @@ api::ArenaInput World::Impl::arena_input(uint32_t substeps) const {
   in.world = &desc;
   in.colliders = &colliders;
   in.wind = wind ? &*wind : nullptr;
+  in.self_collision = self_collision ? &*self_collision : nullptr;
   for (const ClothId id : order) {
     // A cloth without vertices has no block; it needs no place.
     if (cloths[id.index]->cooked().vertices > 0) in.cloths.push_back(cloths[id.index].get());

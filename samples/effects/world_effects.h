@@ -50,9 +50,8 @@ constexpr Effect timed_scatter(Effect effect) {
   return effect;
 }
 
-/// Below twice the spacing of the scene's sheet, which shrinks a little: then every other vertex
-/// touches.
-inline void come_near(ClothDesc& d) { d.collision_distance = 0.12495; }
+/// Below the spacing of the scene's sheet, which shrinks a little: then neighbours touch.
+inline void come_near(ClothDesc& d) { d.collision_distance = 0.06245; }
 inline void avoid_all(ClothDesc& d) {
   come_near(d);
   d.collides_itself = d.collides_others = 0;
@@ -62,7 +61,7 @@ void collide(Stage& s) {
   SelfCollisionDesc desc;
   desc.search = search;
   desc.friction = 0.25;
-  desc.cell = 0.25;
+  desc.cell = 0.125;
   check(s.world.set_self_collision(desc));
 }
 /// So near is nobody.
@@ -86,9 +85,9 @@ constexpr Effect self_collision(const char* name, const char* method) {
           .null = {{.furnish = collide_in_vain<search>},
                    {.dress = avoid_all, .furnish = collide<search>},
                    {.dress = come_near, .furnish = collide_and_clear<search>}},
-          .cloth_keys = R"("collision": {"distance": 0.12495})",
-          .scene_keys = {R"("self_collision": {"friction": 0.25, "cell": 0.25, "method": )", method,
-                         "}"}};
+          .cloth_keys = R"("collision": {"distance": 0.06245})",
+          .scene_keys = {R"("self_collision": {"friction": 0.25, "cell": 0.125, "method": )",
+                         method, "}"}};
 }
 
 inline constexpr Effect world_effects[] = {

@@ -32,9 +32,10 @@ constexpr int most_upper_bits = 12;
 constexpr int most_digit_bits = 11;
 constexpr int most_threads = 64;  // of stable_sort_few_bits: more have no memory to wait for
 
-/// Bits of a key that choose its bucket: 256 buckets, or as many as leave 2^12 cells to each.
+/// Bits of a key that choose its bucket: 256 buckets, or as many as leave room for the index of one
+/// of 2^bits particles beside the others in a word.
 int upper_bits(int bits) {
-  const int wanted = bits - 12 > 8 ? bits - 12 : 8;
+  const int wanted = 2 * bits - 32 > 8 ? 2 * bits - 32 : 8;
   const int most = wanted < most_upper_bits ? wanted : most_upper_bits;
   return bits < most ? bits : most;
 }
@@ -47,22 +48,69 @@ uint64_t pair_of(uint32_t key, uint32_t value) { return uint64_t(key) << 32 | va
 uint32_t key_of(uint64_t pair) { return static_cast<uint32_t>(pair >> 32); }
 uint32_t value_of(uint64_t pair) { return static_cast<uint32_t>(pair); }
 
+/// A key's lower bits with an index, where both fit: half the memory to write and to read.
+struct Narrow {
+  uint32_t word;
+  Narrow(uint32_t key, uint32_t index, int lower)
+      : word(index << lower | (key & ((1u << lower) - 1))) {}
+  uint32_t key(uint32_t mask) const { return word & mask; }
+  uint32_t value(int lower) const { return word >> lower; }
+};
+struct Wide {
+  uint64_t pair;
+  Wide(uint32_t key, uint32_t value, int) : pair(pair_of(key, value)) {}
+  uint32_t key(uint32_t mask) const { return key_of(pair) & mask; }
+  uint32_t value(int) const { return value_of(pair); }
+};
+bool is_narrow(const CellSort& s) {
+  return s.values == nullptr &&
+         static_cast<uint64_t>(s.count) << (s.bits - upper_bits(s.bits)) <= uint64_t(1) << 32;
+}
+
+template <class Pair>
+void deal(const CellSort& s, int begin, int end, uint32_t* next) {
+  const int lower = s.bits - upper_bits(s.bits);
+  const uint32_t *keys = s.keys, *values = s.values;
+  auto* pairs = static_cast<Pair*>(s.room);
+  // A sheet fills one bucket for many particles on end: its place is kept out of memory.
+  uint32_t bucket = 0, place = next[0];
+  for (int i = begin; i < end; ++i) {
+    const uint32_t key = keys[i];
+    const uint32_t value = values ? values[i] : static_cast<uint32_t>(i);
+    if (key >> lower != bucket) {
+      next[bucket] = place;
+      bucket = key >> lower;
+      place = next[bucket];
+    }
+    pairs[place++] = Pair(key, value, lower);
+  }
+}
+
 /// Counts the cells of the bucket whose pairs are [begin, end), and puts each pair where it
 /// belongs. Last pairs go first, into the last free place: what is left of a cell's end is its
 /// start.
-template <bool with_keys>
-void place_bucket(const CellSort& s, uint32_t* starts, uint32_t cells, uint32_t begin,
-                  uint32_t end) {
-  const uint32_t lower = cells - 1;
+template <class Pair>
+void place(const CellSort& s, uint32_t bucket, uint32_t begin, uint32_t end) {
+  const int lower = s.bits - upper_bits(s.bits);
+  const uint32_t cells = 1u << lower, mask = cells - 1;
+  const auto* pairs = static_cast<const Pair*>(s.room);
+  uint32_t *starts = s.starts + (static_cast<size_t>(bucket) << lower), *sorted = s.sorted;
   memset(starts, 0, cells * sizeof *starts);
-  for (uint32_t i = begin; i < end; ++i) ++starts[key_of(s.pairs[i]) & lower];
+  for (uint32_t i = begin; i < end; ++i) ++starts[pairs[i].key(mask)];
   uint32_t sum = begin;
   for (uint32_t c = 0; c < cells; ++c) starts[c] = sum += starts[c];
   for (uint32_t i = end; i-- > begin;) {
-    const uint64_t pair = s.pairs[i];
-    const uint32_t at = --starts[key_of(pair) & lower];
-    s.sorted[at] = value_of(pair);
-    if (with_keys) s.sorted_keys[at] = key_of(pair);
+    const Pair pair = pairs[i];
+    sorted[--starts[pair.key(mask)]] = pair.value(lower);
+  }
+}
+
+void repeat_keys(const CellSort& s, uint32_t bucket, uint32_t end) {
+  const int lower = s.bits - upper_bits(s.bits);
+  const uint32_t first = bucket << lower, last = first + (1u << lower) - 1;
+  for (uint32_t c = first; c <= last; ++c) {
+    const uint32_t stop = c < last ? s.starts[c + 1] : end;
+    for (uint32_t i = s.starts[c]; i < stop; ++i) s.sorted_keys[i] = c;
   }
 }
 
@@ -124,11 +172,21 @@ void count_cells(const CellSort& s, int thread, int threads) {
   uint32_t* mine = s.counts + (static_cast<size_t>(thread) << upper);
   memset(mine, 0, sizeof *mine << upper);
   const int end = share_of(s.count, thread + 1, threads);
-  for (int i = share_of(s.count, thread, threads); i < end; ++i) ++mine[s.keys[i] >> lower];
+  // A sheet fills one bucket for many particles on end: two counters wait less for each other.
+  uint32_t odd[1 << most_upper_bits];
+  memset(odd, 0, sizeof *odd << upper);
+  const uint32_t* keys = s.keys;
+  int i = share_of(s.count, thread, threads);
+  for (; i + 1 < end; i += 2) {
+    ++mine[keys[i] >> lower];
+    ++odd[keys[i + 1] >> lower];
+  }
+  if (i < end) ++mine[keys[i] >> lower];
+  for (int b = 0; b < 1 << upper; ++b) mine[b] += odd[b];
 }
 
 void deal_cells(const CellSort& s, int thread, int threads) {
-  const int upper = upper_bits(s.bits), lower = s.bits - upper;
+  const int upper = upper_bits(s.bits);
   uint32_t next[1 << most_upper_bits];
   uint32_t sum = 0;
   for (uint32_t b = 0; b < 1u << upper; ++b) {
@@ -137,16 +195,12 @@ void deal_cells(const CellSort& s, int thread, int threads) {
       sum += s.counts[(static_cast<size_t>(t) << upper) + b];
     }
   }
-  const int begin = share_of(s.count, thread, threads),
-            end = share_of(s.count, thread + 1, threads);
-  if (s.values == nullptr) {
-    for (int i = begin; i < end; ++i) {
-      s.pairs[next[s.keys[i] >> lower]++] = pair_of(s.keys[i], static_cast<uint32_t>(i));
-    }
+  const int begin = share_of(s.count, thread, threads);
+  const int end = share_of(s.count, thread + 1, threads);
+  if (is_narrow(s)) {
+    deal<Narrow>(s, begin, end, next);
   } else {
-    for (int i = begin; i < end; ++i) {
-      s.pairs[next[s.keys[i] >> lower]++] = pair_of(s.keys[i], s.values[i]);
-    }
+    deal<Wide>(s, begin, end, next);
   }
 }
 
@@ -159,14 +213,14 @@ void place_cells(const CellSort& s, int thread, int threads) {
   for (uint32_t b = 0; b < 1u << upper; ++b) {
     uint32_t end = begin;
     for (int t = 0; t < threads; ++t) end += s.counts[(static_cast<size_t>(t) << upper) + b];
-    const size_t cell = static_cast<size_t>(b) << lower;
-    const int64_t before = int64_t(begin) + static_cast<int64_t>(cell);
+    const int64_t before = int64_t(begin) + (int64_t(b) << lower);
     if (before >= from && before < to) {
-      if (s.sorted_keys != nullptr) {
-        place_bucket<true>(s, s.starts + cell, 1u << lower, begin, end);
+      if (is_narrow(s)) {
+        place<Narrow>(s, b, begin, end);
       } else {
-        place_bucket<false>(s, s.starts + cell, 1u << lower, begin, end);
+        place<Wide>(s, b, begin, end);
       }
+      if (s.sorted_keys != nullptr) repeat_keys(s, b, end);
     }
     begin = end;
   }

@@ -23,7 +23,7 @@ struct CellSort {
   uint32_t* sorted;        ///< out [count]: the values; may be `keys` or `values`
   uint32_t* sorted_keys;   ///< out [count], or null; may be `keys` or `values`
   uint32_t* starts;        ///< out [2^bits + 1]: those of cell c are [starts[c], starts[c + 1])
-  uint64_t* pairs;         ///< room [count]
+  void* room;              ///< 8 bytes for each, aligned to 8
   uint32_t* counts;        ///< room [cell_sort_counts(bits, threads)]
   int count;               ///< particles
   int bits;                ///< of a key, 0 to 30

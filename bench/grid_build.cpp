@@ -36,7 +36,7 @@ struct Grid {
     room.resize(x.size());
     pairs.resize(x.size());
     starts.resize((size_t(1) << bits) + 1);
-    counts.resize(omp::cell_sort_counts(bits, 1));
+    counts.resize(omp::cell_sort_counts(count(), bits, 1));
   }
   void compute_keys() {
     const float scale = 1 / cell;

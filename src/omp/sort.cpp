@@ -28,17 +28,23 @@ void stable_sort_by_key(uint32_t* keys, uint32_t* values, int count, bool alone)
 
 namespace {
 
-constexpr int most_upper_bits = 12;
+constexpr int most_upper_bits = 14;
+constexpr int most_lower_bits = 14;  // without a table of starts
 constexpr int most_digit_bits = 11;
 constexpr int most_threads = 64;  // of stable_sort_few_bits: more have no memory to wait for
 
-/// Bits of a key that choose its bucket: 256 buckets, or as many as leave room for the index of one
-/// of 2^bits particles beside the others in a word.
-int upper_bits(int bits) {
-  const int wanted = 2 * bits - 32 > 8 ? 2 * bits - 32 : 8;
-  const int most = wanted < most_upper_bits ? wanted : most_upper_bits;
-  return bits < most ? bits : most;
+int larger_of(int a, int b) { return a > b ? a : b; }
+int smaller_of(int a, int b) { return a < b ? a : b; }
+
+/// Bits of a key that choose its bucket: 256 buckets, or as many as leave room for an index beside
+/// the other bits in a word; not more buckets than particles.
+int upper_bits(int count, int bits) {
+  int below = 0;  // 2^below <= count
+  while (count >> (below + 1) > 0) ++below;
+  const int wanted = larger_of(larger_of(8, bits - 12), bits + below + 1 - 32);
+  return smaller_of(smaller_of(wanted, bits), smaller_of(below, most_upper_bits));
 }
+int lower_bits(const CellSort& s) { return s.bits - upper_bits(s.count, s.bits); }
 
 int share_of(int count, int thread, int threads) {
   return static_cast<int>(int64_t(count) * thread / threads);
@@ -63,13 +69,13 @@ struct Wide {
   uint32_t value(int) const { return value_of(pair); }
 };
 bool is_narrow(const CellSort& s) {
-  return s.values == nullptr &&
-         static_cast<uint64_t>(s.count) << (s.bits - upper_bits(s.bits)) <= uint64_t(1) << 32;
+  return s.values == nullptr && static_cast<uint64_t>(s.count) << lower_bits(s) <= uint64_t(1)
+                                                                                       << 32;
 }
 
 template <class Pair>
 void deal(const CellSort& s, int begin, int end, uint32_t* next) {
-  const int lower = s.bits - upper_bits(s.bits);
+  const int lower = lower_bits(s);
   const uint32_t *keys = s.keys, *values = s.values;
   auto* pairs = static_cast<Pair*>(s.room);
   // A sheet fills one bucket for many particles on end: its place is kept out of memory.
@@ -91,10 +97,12 @@ void deal(const CellSort& s, int begin, int end, uint32_t* next) {
 /// start.
 template <class Pair>
 void place(const CellSort& s, uint32_t bucket, uint32_t begin, uint32_t end) {
-  const int lower = s.bits - upper_bits(s.bits);
+  const int lower = lower_bits(s);
   const uint32_t cells = 1u << lower, mask = cells - 1;
   const auto* pairs = static_cast<const Pair*>(s.room);
-  uint32_t *starts = s.starts + (static_cast<size_t>(bucket) << lower), *sorted = s.sorted;
+  uint32_t of_bucket[1 << most_lower_bits];
+  uint32_t* starts = s.starts ? s.starts + (static_cast<size_t>(bucket) << lower) : of_bucket;
+  uint32_t* sorted = s.sorted;
   memset(starts, 0, cells * sizeof *starts);
   for (uint32_t i = begin; i < end; ++i) ++starts[pairs[i].key(mask)];
   uint32_t sum = begin;
@@ -103,14 +111,10 @@ void place(const CellSort& s, uint32_t bucket, uint32_t begin, uint32_t end) {
     const Pair pair = pairs[i];
     sorted[--starts[pair.key(mask)]] = pair.value(lower);
   }
-}
-
-void repeat_keys(const CellSort& s, uint32_t bucket, uint32_t end) {
-  const int lower = s.bits - upper_bits(s.bits);
-  const uint32_t first = bucket << lower, last = first + (1u << lower) - 1;
-  for (uint32_t c = first; c <= last; ++c) {
-    const uint32_t stop = c < last ? s.starts[c + 1] : end;
-    for (uint32_t i = s.starts[c]; i < stop; ++i) s.sorted_keys[i] = c;
+  if (s.sorted_keys == nullptr) return;
+  for (uint32_t c = 0; c < cells; ++c) {
+    const uint32_t stop = c + 1 < cells ? starts[c + 1] : end;
+    for (uint32_t i = starts[c]; i < stop; ++i) s.sorted_keys[i] = (bucket << lower) + c;
   }
 }
 
@@ -163,12 +167,20 @@ void sort_by_digit(From from, To to, int count, Digit digit, int thread, int thr
 
 }  // namespace
 
-size_t cell_sort_counts(int bits, int threads) {
-  return static_cast<size_t>(threads) << upper_bits(bits);
+size_t room_of_cell_sort(const CellSort& s) {
+  return static_cast<size_t>(s.count) * (is_narrow(s) ? sizeof(Narrow) : sizeof(Wide));
+}
+
+size_t cell_sort_counts(int count, int bits, int threads) {
+  return static_cast<size_t>(threads) << upper_bits(count, bits);
+}
+
+bool sorts_without_starts(int count, int bits) {
+  return bits - upper_bits(count, bits) <= most_lower_bits;
 }
 
 void count_cells(const CellSort& s, int thread, int threads) {
-  const int upper = upper_bits(s.bits), lower = s.bits - upper;
+  const int upper = upper_bits(s.count, s.bits), lower = s.bits - upper;
   uint32_t* mine = s.counts + (static_cast<size_t>(thread) << upper);
   memset(mine, 0, sizeof *mine << upper);
   const int end = share_of(s.count, thread + 1, threads);
@@ -186,7 +198,7 @@ void count_cells(const CellSort& s, int thread, int threads) {
 }
 
 void deal_cells(const CellSort& s, int thread, int threads) {
-  const int upper = upper_bits(s.bits);
+  const int upper = upper_bits(s.count, s.bits);
   uint32_t next[1 << most_upper_bits];
   uint32_t sum = 0;
   for (uint32_t b = 0; b < 1u << upper; ++b) {
@@ -206,7 +218,7 @@ void deal_cells(const CellSort& s, int thread, int threads) {
 
 // A bucket is the work of the thread in whose share of pairs and cells it begins.
 void place_cells(const CellSort& s, int thread, int threads) {
-  const int upper = upper_bits(s.bits), lower = s.bits - upper;
+  const int upper = upper_bits(s.count, s.bits), lower = s.bits - upper;
   const int64_t work = int64_t(s.count) + (int64_t(1) << s.bits);
   const int64_t from = work * thread / threads, to = work * (thread + 1) / threads;
   uint32_t begin = 0;
@@ -220,11 +232,11 @@ void place_cells(const CellSort& s, int thread, int threads) {
       } else {
         place<Wide>(s, b, begin, end);
       }
-      if (s.sorted_keys != nullptr) repeat_keys(s, b, end);
     }
     begin = end;
   }
-  if (thread == 0) s.starts[size_t(1) << s.bits] = static_cast<uint32_t>(s.count);
+  if (thread == 0 && s.starts != nullptr)
+    s.starts[size_t(1) << s.bits] = static_cast<uint32_t>(s.count);
 }
 
 void sort_cells(const CellSort& s, int threads) {

@@ -22,20 +22,25 @@ struct CellSort {
   const uint32_t* values;  ///< [count], what is sorted; null: 0, 1, 2, ...
   uint32_t* sorted;        ///< out [count]: the values; may be `keys` or `values`
   uint32_t* sorted_keys;   ///< out [count], or null; may be `keys` or `values`
-  uint32_t* starts;        ///< out [2^bits + 1]: those of cell c are [starts[c], starts[c + 1])
-  void* room;              ///< 8 bytes for each, aligned to 8
-  uint32_t* counts;        ///< room [cell_sort_counts(bits, threads)]
+  uint32_t* starts;        ///< out [2^bits + 1], or null: cell c is [starts[c], starts[c + 1])
+  void* room;              ///< room_of_cell_sort, aligned to 8
+  uint32_t* counts;        ///< room [cell_sort_counts(count, bits, threads)]
   int count;               ///< particles
   int bits;                ///< of a key, 0 to 30
 };
 
-size_t cell_sort_counts(int bits, int threads);
+/// Bytes: 4 for each where `values` is null and `count` and `bits` are not huge, else 8.
+size_t room_of_cell_sort(const CellSort&);
+/// At most `count` for one thread.
+size_t cell_sort_counts(int count, int bits, int threads);
 /// Opens a parallel region of its own where threads > 1.
 void sort_cells(const CellSort&, int threads);
 /// The three parts of it for the threads of a region that is open: all meet after each.
 void count_cells(const CellSort&, int thread, int threads);
 void deal_cells(const CellSort&, int thread, int threads);
 void place_cells(const CellSort&, int thread, int threads);
+/// Whether `starts` may be null.
+bool sorts_without_starts(int count, int bits);
 
 /// Sorts pairs of which only the lowest `bits` (0 to 32) of a key can differ from 0; equal keys
 /// keep their order. `pairs`: room for `count`. No memory is allocated.

@@ -58,7 +58,7 @@ void expect_sorted_cells(const Words& keys, int bits, int threads) {
   const size_t n = keys.size();
   Words indices(n, 77), alone(n, 77), keys_out(n, 77), starts_out(starts.size(), 77);
   std::vector<uint64_t> pairs(n);
-  Words counts(omp::cell_sort_counts(bits, threads), 77);
+  Words counts(omp::cell_sort_counts(int(n), bits, threads), 77);
   omp::CellSort sort{keys.data(),  nullptr,       indices.data(), nullptr, starts_out.data(),
                      pairs.data(), counts.data(), int(n),         bits};
   omp::sort_cells(sort, threads);
@@ -77,6 +77,15 @@ void expect_sorted_cells(const Words& keys, int bits, int threads) {
   EXPECT_EQ(values, expected);
   EXPECT_EQ(keys_in, sorted_keys);
   EXPECT_EQ(starts_out, starts);
+
+  if (!omp::sorts_without_starts(int(n), bits)) return;
+  keys_in = keys;
+  sort.starts = nullptr;
+  sort.values = nullptr;
+  ASSERT_LE(omp::room_of_cell_sort(sort), 4 * n);
+  omp::sort_cells(sort, threads);
+  EXPECT_EQ(values, order);
+  EXPECT_EQ(keys_in, sorted_keys);
 }
 
 TEST(CellSort, GivesTheOrderOfAStableSortAndWhereEachCellBegins) {

@@ -139,10 +139,24 @@ class Team {
   void sort_by_key(uint32_t* keys, uint32_t* values, int count, int turn) const {
     if (turn % threads_ == thread_) omp::stable_sort_by_key(keys, values, count, true);
   }
-  /// Keys below 2^bits, with room for as many.
-  void sort_few_bits(uint32_t* keys, uint32_t* values, uint32_t*, uint32_t*, int count,
-                     int) const {
-    if (leads()) omp::stable_sort_by_key(keys, values, count, true);
+  /// Sorts 0, 1, 2, ... by keys below 2^bits, with room for as many of both.
+  void sort_few_bits(uint32_t* keys, uint32_t* values, uint32_t* other_keys, uint32_t* other_values,
+                     int count, int bits) const {
+    const omp::CellSort sort{keys,       nullptr,      values, keys, nullptr,
+                             other_keys, other_values, count,  bits};
+    const size_t words = static_cast<size_t>(count), bytes = words * sizeof(uint32_t);
+    if (!omp::sorts_without_starts(count, bits) || omp::room_of_cell_sort(sort) > bytes) {
+      if (leads()) omp::stable_sort_by_key(keys, values, count, true);
+      return;
+    }
+    const bool together = omp::cell_sort_counts(count, bits, threads_) <= words;
+    const int threads = together ? threads_ : 1;
+    const bool takes_part = thread_ < threads;
+    if (takes_part) omp::count_cells(sort, thread_, threads);
+    meet();
+    if (takes_part) omp::deal_cells(sort, thread_, threads);
+    meet();
+    if (takes_part) omp::place_cells(sort, thread_, threads);
   }
   void meet() const {
     if (threads_ > 1) barrier_->wait(threads_);

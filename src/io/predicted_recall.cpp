@@ -105,19 +105,20 @@ class Diagonals {
 template <class Chance>
 double mean_over_ball(double t, Chance chance) {
   constexpr int n = 40;
-  double sum = 0;
+  double sum = 0, volume = 0;
   for (int i = 0; i < n; ++i) {
-    // Equal volumes, equal heights and equal angles: points of equal weight.
-    const double d = t * std::cbrt((i + 0.5) / n);
+    const double s = (i + 0.5) / n, d = t * s;
     for (int j = 0; j < n; ++j) {
-      const double z = (j + 0.5) / n, across = std::sqrt(1 - z * z);
+      const double polar = pi / 2 * (j + 0.5) / n, across = std::sin(polar);
+      const double weight = s * s * across, z = d * std::cos(polar);
       for (int k = 0; k < n; ++k) {
         const double angle = pi / 2 * (k + 0.5) / n;
-        sum += chance({d * across * std::cos(angle), d * across * std::sin(angle), d * z});
+        sum += weight * chance({d * across * std::cos(angle), d * across * std::sin(angle), z});
+        volume += weight;
       }
     }
   }
-  return sum / (n * n * n);
+  return sum / volume;
 }
 
 }  // namespace

@@ -156,7 +156,7 @@ struct Teller {
   void one(size_t i, size_t j) {
     uint32_t v = a.vertices[i], w = b.vertices[j];
     if (cloth_a == cloth_b && v > w) std::swap(v, w);
-    take({cloth_a, cloth_b, v, w});
+    take({cloth_a, v, cloth_b, w});
   }
 };
 

@@ -27,7 +27,7 @@ bool are_nearer(double3 a, double3 b, double distance);
 
 /// cloth_a <= cloth_b; within one cloth vertex_a < vertex_b.
 struct MeetingPair {
-  uint32_t cloth_a, cloth_b, vertex_a, vertex_b;
+  uint32_t cloth_a, vertex_a, cloth_b, vertex_b;
   friend auto operator<=>(const MeetingPair&, const MeetingPair&) = default;
 };
 

@@ -1,9 +1,7 @@
 #include "io/predicted_recall.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <map>
 
 namespace weft::io {
 namespace {
@@ -26,22 +24,6 @@ constexpr std::array<uint32_t, 8> corner_shifts(uint32_t grids) {
   return {0, 1, 2, 3, 4, 5, 6, 7};
 }
 
-double chance_of_corners(uint32_t grids, const std::array<double, 3>& rho) {
-  const Marks x = marks_of(rho[0]), y = marks_of(rho[1]), z = marks_of(rho[2]);
-  const auto shifts = corner_shifts(grids);
-  double chance = 0;
-  for (uint32_t state = 0; state < 64; ++state) {
-    const uint32_t a = state & 3, b = state >> 2 & 3, c = state >> 4;
-    for (uint32_t g = 0; g < grids; ++g) {
-      const uint32_t s = shifts[g];
-      if ((a >> (s & 1) & b >> (s >> 1 & 1) & c >> (s >> 2) & 1) == 0) continue;
-      chance += x[a] * y[b] * z[c];
-      break;
-    }
-  }
-  return chance;
-}
-
 /// `length` marks of `k` on a circle, from `begin`.
 uint64_t window_of(uint32_t k, uint32_t length, uint32_t begin) {
   const uint64_t all = k == 64 ? ~uint64_t(0) : (uint64_t(1) << k) - 1;
@@ -60,87 +42,85 @@ double chance_of_cover(uint32_t k, const std::array<uint32_t, 3>& length) {
   return double(covered) / (double(k) * k);
 }
 
-/// What each triple of lengths covers, worked out when it is first asked for.
-class Diagonals {
- public:
-  explicit Diagonals(uint32_t k) : k_(k) {}
+}  // namespace
 
-  double chance(const std::array<double, 3>& rho) {
-    std::array<uint32_t, 3> least;
-    std::array<double, 3> more;  // probability that the window covers one mark more
+double PairChance::of_corners(const std::array<double, 3>& rho) const {
+  const Marks x = marks_of(rho[0]), y = marks_of(rho[1]), z = marks_of(rho[2]);
+  const auto shifts = corner_shifts(grids_.grids);
+  double chance = 0;
+  for (uint32_t state = 0; state < 64; ++state) {
+    const uint32_t a = state & 3, b = state >> 2 & 3, c = state >> 4;
+    for (uint32_t g = 0; g < grids_.grids; ++g) {
+      const uint32_t s = shifts[g];
+      if ((a >> (s & 1) & b >> (s >> 1 & 1) & c >> (s >> 2) & 1) == 0) continue;
+      chance += x[a] * y[b] * z[c];
+      break;
+    }
+  }
+  return chance;
+}
+
+double PairChance::of_diagonals(const std::array<double, 3>& rho) {
+  std::array<uint32_t, 3> least;
+  std::array<double, 3> more;  // probability that the window covers one mark more
+  for (size_t i = 0; i < 3; ++i) {
+    const double marks = grids_.grids * std::min(rho[i], 1.0);
+    least[i] = std::min(uint32_t(marks), grids_.grids);
+    more[i] = marks - least[i];
+  }
+  double missed = 0;
+  for (uint32_t state = 0; state < 8; ++state) {
+    std::array<uint32_t, 3> length = least;
+    double weight = 1;
     for (size_t i = 0; i < 3; ++i) {
-      const double marks = k_ * std::min(rho[i], 1.0);
-      least[i] = std::min(uint32_t(marks), k_);
-      more[i] = marks - least[i];
+      const bool longer = state >> i & 1;
+      weight *= longer ? more[i] : 1 - more[i];
+      length[i] += longer;
     }
-    double missed = 0;
-    for (uint32_t state = 0; state < 8; ++state) {
-      std::array<uint32_t, 3> length = least;
-      double weight = 1;
-      for (size_t i = 0; i < 3; ++i) {
-        const bool longer = state >> i & 1;
-        weight *= longer ? more[i] : 1 - more[i];
-        length[i] += longer;
-      }
-      if (weight > 0) missed += weight * cover(length);
-    }
-    return 1 - missed;
+    if (weight > 0) missed += weight * cover(length);
   }
+  return 1 - missed;
+}
 
- private:
-  double cover(std::array<uint32_t, 3> length) {
-    if (length[0] + length[1] + length[2] < k_) return 0;
-    std::sort(length.begin(), length.end());
-    if (length[2] >= k_) return 1;
-    const auto [known, is_new] = cover_.emplace(length, 0.0);
-    if (is_new) known->second = chance_of_cover(k_, length);
-    return known->second;
+double PairChance::cover(std::array<uint32_t, 3> length) {
+  const uint32_t k = grids_.grids;
+  if (length[0] + length[1] + length[2] < k) return 0;
+  std::sort(length.begin(), length.end());
+  if (length[2] >= k) return 1;
+  const auto [known, is_new] = cover_.emplace(length, 0.0);
+  if (is_new) known->second = chance_of_cover(k, length);
+  return known->second;
+}
+
+double PairChance::operator()(double3 offset) {
+  const std::array<double, 3> rho{std::abs(offset.x) / grids_.cell,
+                                  std::abs(offset.y) / grids_.cell,
+                                  std::abs(offset.z) / grids_.cell};
+  return grids_.shifts == GridShifts::corner ? of_corners(rho) : of_diagonals(rho);
+}
+
+double recall_of_uniform_points(const StaggeredGrids& g, double distance) {
+  if (g.grids == 1 && distance <= g.cell) {
+    const double t = distance / g.cell;
+    return 1 - 9.0 / 8 * t + 6 / (5 * pi) * t * t - t * t * t / (8 * pi);
   }
-
-  uint32_t k_;
-  std::map<std::array<uint32_t, 3>, double> cover_;
-};
-
-/// The mean of chance(rho) over the ball of radius t, by midpoints of its first octant.
-template <class Chance>
-double mean_over_ball(double t, Chance chance) {
+  // Midpoints of the first octant of the ball.
   constexpr int n = 40;
+  PairChance chance(g);
   double sum = 0, volume = 0;
   for (int i = 0; i < n; ++i) {
-    const double s = (i + 0.5) / n, d = t * s;
+    const double s = (i + 0.5) / n, d = distance * s;
     for (int j = 0; j < n; ++j) {
-      const double polar = pi / 2 * (j + 0.5) / n, across = std::sin(polar);
-      const double weight = s * s * across, z = d * std::cos(polar);
+      const double polar = pi / 2 * (j + 0.5) / n, across = d * std::sin(polar);
+      const double weight = s * s * std::sin(polar), z = d * std::cos(polar);
       for (int k = 0; k < n; ++k) {
         const double angle = pi / 2 * (k + 0.5) / n;
-        sum += weight * chance({d * across * std::cos(angle), d * across * std::sin(angle), z});
+        sum += weight * chance({across * std::cos(angle), across * std::sin(angle), z});
         volume += weight;
       }
     }
   }
   return sum / volume;
-}
-
-}  // namespace
-
-double chance_of_pair(const StaggeredGrids& g, double3 offset) {
-  const std::array<double, 3> rho{std::abs(offset.x) / g.cell, std::abs(offset.y) / g.cell,
-                                  std::abs(offset.z) / g.cell};
-  if (g.shifts == GridShifts::corner) return chance_of_corners(g.grids, rho);
-  return Diagonals(g.grids).chance(rho);
-}
-
-double recall_of_uniform_points(const StaggeredGrids& g, double distance) {
-  const double t = distance / g.cell;
-  if (g.grids == 1 && t <= 1) {
-    return 1 - 9.0 / 8 * t + 6 / (5 * pi) * t * t - t * t * t / (8 * pi);
-  }
-  if (g.shifts == GridShifts::corner) {
-    return mean_over_ball(
-        t, [&](const std::array<double, 3>& rho) { return chance_of_corners(g.grids, rho); });
-  }
-  Diagonals diagonals(g.grids);
-  return mean_over_ball(t, [&](const std::array<double, 3>& rho) { return diagonals.chance(rho); });
 }
 
 std::optional<double> predicted_recall(const SelfCollisionDesc& desc) {

@@ -16,6 +16,8 @@
 
 #include "weft/self_collision.hpp"
 
+#include <array>
+#include <map>
 #include <optional>
 
 namespace weft::io {
@@ -27,8 +29,22 @@ struct StaggeredGrids {
   GridShifts shifts = GridShifts::corner;
 };
 
-/// Probability that grids at a random place find a pair whose ends are `offset` (m) apart.
-double chance_of_pair(const StaggeredGrids&, double3 offset);
+/// Probability that grids at a random place find a pair. Diagonal ones remember what they count.
+class PairChance {
+ public:
+  explicit PairChance(const StaggeredGrids& grids) : grids_(grids) {}
+
+  /// Of a pair whose ends are `offset` (m) apart.
+  double operator()(double3 offset);
+
+ private:
+  double of_corners(const std::array<double, 3>& rho) const;
+  double of_diagonals(const std::array<double, 3>& rho);
+  double cover(std::array<uint32_t, 3> length);
+
+  StaggeredGrids grids_;
+  std::map<std::array<uint32_t, 3>, double> cover_;  ///< by marks that each axis covers
+};
 
 /// The mean over pairs nearer than `distance` (m, > 0) in a uniform cloud of points: over every
 /// direction, and over distances as they fill a ball. Of one grid with t = distance/cell <= 1 it is

@@ -46,7 +46,7 @@ std::vector<MeetingPair> brute(const std::vector<MeetingCloth>& cloths) {
           const double x = c.positions[v].x - d.positions[w].x;
           const double y = c.positions[v].y - d.positions[w].y;
           const double z = c.positions[v].z - d.positions[w].z;
-          if ((x * x + y * y) + z * z < r * r) pairs.push_back({a, b, v, w});
+          if ((x * x + y * y) + z * z < r * r) pairs.push_back({a, v, b, w});
         }
       }
     }

@@ -14,6 +14,10 @@ namespace {
 
 using reference::SplitMix;
 
+double chance_of_pair(const StaggeredGrids& grids, double3 offset) {
+  return PairChance(grids)(offset);
+}
+
 constexpr GridShifts corner = GridShifts::corner, diagonal = GridShifts::diagonal;
 
 TEST(PredictedRecall, OfOneGridIsTheKnownPolynomial) {

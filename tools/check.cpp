@@ -2,6 +2,7 @@
 #include "commands.h"
 
 #include "arguments.h"
+#include "missed_pairs.h"
 #include "output.h"
 #include "remarks.h"
 #include "step_bound.h"
@@ -49,6 +50,10 @@ std::vector<Finding> find_all(const io::Scene& scene, io::RunningScene& made,
   }
   for (Windless& cloth : windless_cloths(scene, made)) {
     findings.push_back({"warning", cloth.cloth, 0, std::move(cloth.text), true});
+  }
+  for (MissedPairs& missed : missed_pairs(scene)) {
+    findings.push_back(
+        {missed.grave ? "warning" : "info", std::nullopt, 0, std::move(missed.text)});
   }
   if (const auto problem = io::beyond_memory(io::bytes_to_run(scene, planned))) {
     findings.push_back({"warning", std::nullopt, 0, *problem});

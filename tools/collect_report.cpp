@@ -69,6 +69,10 @@ void collect_figures(const io::Scene& scene, io::RunningScene& made, io::Report&
   report.mechanics = *made.world.mechanics();
   report.largest_stretch = std::max(report.largest_stretch, report.mechanics.stretch);
   report.state_hash = *made.world.state_hash();
+  const auto contacts = made.world.contacts();
+  made.require(contacts.status(), scene.file);
+  report.contacts = contacts->touching;
+  report.pairs_excluded = contacts->excluded;
   report.asleep = 0;
   for (const ClothId cloth : made.cloths) report.asleep += *made.world.asleep(cloth) ? 1 : 0;
 }

@@ -197,6 +197,11 @@ void print_summary(const io::Scene& scene, const io::Report& report) {
                            " per frame, " + figure(*cost) + " ns per particle and step";
   }
   lines.push_back({"stretch", figure(100 * report.largest_stretch) + " % at most"});
+  if (scene.self_collision) {
+    lines.push_back({"contacts", std::to_string(report.contacts) + " pairs touch at the end, " +
+                                     std::to_string(report.pairs_excluded) +
+                                     " are too near at rest to do so"});
+  }
   lines.push_back({"memory", bytes_text(double(report.bytes_total))});
   lines.push_back({"state", io::hash_text(report.state_hash)});
   for (const io::ReportEvent& event : report.events) {

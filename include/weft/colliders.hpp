@@ -20,7 +20,8 @@ struct Pose {
 // in a substep than a quarter of a collider's least half-width, relative to it, is swept: it stops
 // where it enters; at a mesh in the position form, where a way that is lost would be speed, it goes
 // on along the surface. What was deep inside leaves without speed. A collider that is moved turns
-// about its own middle (of a mesh: of its bounds), which goes straight, by the shorter way.
+// about its own middle (of a mesh: of its bounds), which goes straight, by the shorter way. Cloths
+// whose collision_layers have no bit of `layers` pass through it, and it wakes none of them.
 
 /// A particle at the very centre leaves along +y.
 struct SphereDesc {
@@ -28,6 +29,7 @@ struct SphereDesc {
   double radius = 1;  ///< m, > 0
   double3 velocity{0, 0, 0};
   double friction = 0;  ///< >= 0
+  uint32_t layers = ~0u;
 };
 /// dot(normal, x) < offset is inside.
 struct PlaneDesc {
@@ -35,6 +37,7 @@ struct PlaneDesc {
   double offset = 0;        ///< m, along the normalised normal
   double3 velocity{0, 0, 0};
   double friction = 0;
+  uint32_t layers = ~0u;
 };
 /// All points nearer than `radius` to the segment from a to b, which may be one point.
 struct CapsuleDesc {
@@ -42,6 +45,7 @@ struct CapsuleDesc {
   double radius = 1;  ///< m, > 0
   double3 velocity{0, 0, 0};
   double friction = 0;
+  uint32_t layers = ~0u;
 };
 /// With flat caps at a and b, which must differ. A particle leaves through the nearest of the side
 /// and the caps.
@@ -50,6 +54,7 @@ struct CylinderDesc {
   double radius = 1;  ///< m, > 0
   double3 velocity{0, 0, 0};
   double friction = 0;
+  uint32_t layers = ~0u;
 };
 /// Turned about its centre by `degrees` about `axis`. A particle leaves through the nearest face.
 struct BoxDesc {
@@ -59,6 +64,7 @@ struct BoxDesc {
   double degrees = 0;
   double3 velocity{0, 0, 0};
   double friction = 0;
+  uint32_t layers = ~0u;
 };
 
 /// Triangles of a ColliderMesh, placed by `pose`. A particle stays `thickness` away from them: on
@@ -68,6 +74,7 @@ struct MeshColliderDesc {
   Pose pose;
   double3 velocity{0, 0, 0};
   double friction = 0;
+  uint32_t layers = ~0u;
 };
 /// How a collider gets to a new place: along the way, with a velocity that contact takes up, or at
 /// once, with none.

@@ -44,6 +44,8 @@ enum {
 enum { WEFT_MOVE_SIMULATE, WEFT_MOVE_TELEPORT };
 enum { WEFT_STENCIL_SEED12, WEFT_STENCIL_CLASSIC12, WEFT_STENCIL_QUAD4, WEFT_STENCIL_TRI6 };
 enum { WEFT_MASS_TOTAL, WEFT_MASS_DENSITY, WEFT_MASS_PER_VERTEX };
+enum { WEFT_SEARCH_COMPLETE, WEFT_SEARCH_STAGGERED };
+enum { WEFT_SHIFTS_CORNER, WEFT_SHIFTS_DIAGONAL };
 enum { WEFT_INFO, WEFT_WARNING, WEFT_ERROR };
 enum {
   WEFT_FORMAT_NONE,
@@ -244,18 +246,21 @@ typedef struct weft_sphere_desc {
   double radius;
   weft_double3 velocity;
   double friction;
+  uint32_t layers;
 } weft_sphere_desc;
 typedef struct weft_plane_desc {
   weft_double3 normal;
   double offset;
   weft_double3 velocity;
   double friction;
+  uint32_t layers;
 } weft_plane_desc;
 typedef struct weft_capsule_desc {
   weft_double3 a, b;
   double radius;
   weft_double3 velocity;
   double friction;
+  uint32_t layers;
 } weft_capsule_desc;
 typedef weft_capsule_desc weft_cylinder_desc;
 typedef struct weft_box_desc {
@@ -263,12 +268,14 @@ typedef struct weft_box_desc {
   double degrees;
   weft_double3 velocity;
   double friction;
+  uint32_t layers;
 } weft_box_desc;
 typedef struct weft_mesh_collider_desc {
   const weft_collider_mesh* mesh;
   weft_pose pose;
   weft_double3 velocity;
   double friction;
+  uint32_t layers;
 } weft_mesh_collider_desc;
 typedef struct weft_collider_set_desc {
   weft_view spheres, planes, capsules, cylinders, boxes; /* of weft_sphere_desc, ... */
@@ -278,6 +285,21 @@ typedef struct weft_wind_desc {
   weft_double3 velocity;
   double air_density, normal, tangential;
 } weft_wind_desc;
+typedef struct weft_self_collision_desc {
+  uint8_t search;
+  double distance, friction, cell;
+  uint32_t grids;
+  uint8_t shifts;
+  uint32_t window;
+  double skin;
+} weft_self_collision_desc;
+typedef struct weft_contact_counts {
+  uint64_t touching, excluded, listed, lists;
+} weft_contact_counts;
+typedef struct weft_near_pair {
+  weft_cloth_id cloth_a, cloth_b;
+  uint32_t vertex_a, vertex_b;
+} weft_near_pair;
 
 typedef struct weft_attribute {
   uint8_t format;

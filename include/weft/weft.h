@@ -47,6 +47,7 @@ WEFT_C_API weft_mesh_collider_desc weft_default_mesh_collider(void);
 WEFT_C_API weft_pose weft_default_pose(void);
 WEFT_C_API weft_output_desc weft_default_output(void);
 WEFT_C_API weft_wind_desc weft_default_wind(void);
+WEFT_C_API weft_self_collision_desc weft_default_self_collision(void);
 
 /* `abi`: WEFT_C_ABI of the header that the caller was compiled with. A null `desc`: the defaults.
  */
@@ -116,6 +117,12 @@ WEFT_C_API weft_status weft_set_forces(weft_world*, weft_cloth_id, const weft_ve
 WEFT_C_API weft_status weft_set_gravity(weft_world*, weft_double3);
 WEFT_C_API weft_status weft_set_wind(weft_world*, const weft_wind_desc*);
 WEFT_C_API weft_status weft_clear_wind(weft_world*);
+WEFT_C_API weft_status weft_set_self_collision(weft_world*, const weft_self_collision_desc*);
+WEFT_C_API weft_status weft_clear_self_collision(weft_world*);
+WEFT_C_API weft_status weft_contacts(weft_world*, weft_contact_counts* out);
+/* Up to `room` pairs; `out` may be null for none. `count`: how many there are. */
+WEFT_C_API weft_status weft_near_pairs(weft_world*, bool with_excluded, weft_near_pair* out,
+                                       uint32_t room, uint32_t* count);
 WEFT_C_API weft_status weft_wake(weft_world*, weft_cloth_id);
 WEFT_C_API weft_status weft_asleep(weft_world*, weft_cloth_id, bool* out);
 

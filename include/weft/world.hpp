@@ -225,8 +225,9 @@ class WEFT_API World {
 
   Result<ClothId> create_cloth(const ClothDesc&) noexcept;
   Status destroy_cloth(ClothId) noexcept;
-  /// What the cloth asks for and does not get, as its pins are now; the log was told at its
-  /// creation. Valid until the next call for this cloth.
+  /// What the cloth asks for and does not get, as its pins are now: the log was told at its
+  /// creation. And in a world with self-collision how many pairs are too near at rest to touch.
+  /// Valid until the next call for this cloth.
   Result<View<Diagnostic>> diagnostics(ClothId) noexcept;
   bool valid(ClothId) const noexcept;
   Result<ColliderId> create_sphere(const SphereDesc&) noexcept;
@@ -247,8 +248,8 @@ class WEFT_API World {
   Result<ColliderSetId> create_collider_set(const ColliderSetDesc&) noexcept;
   /// As move_collider for each: the same numbers of each shape, radii, lengths and edges within
   /// the larger of 1e-4 and of four units in the last place of the coordinates in float, unless
-  /// may_stretch; of `friction` and `velocity` nothing is read. What has an axis turns by the
-  /// shortest way to the new one, a plane about the line where it meets its new place. Equal
+  /// may_stretch; of `friction`, `velocity` and `layers` nothing is read. What has an axis turns by
+  /// the shortest way to the new one, a plane about the line where it meets its new place. Equal
   /// descriptions are no motion. Nothing moves where one is refused.
   Status move_collider_set(ColliderSetId, const ColliderSetDesc&, Move = Move::simulate) noexcept;
   Status destroy_collider_set(ColliderSetId) noexcept;
@@ -269,7 +270,8 @@ class WEFT_API World {
   /// A cloth without triangles, a network, feels no wind: the log says so.
   Status set_wind(const WindDesc&) noexcept;
   Status clear_wind() noexcept;
-  /// Lets cloths meet themselves and each other; replaces what was set before. Wakes all.
+  /// Lets cloths meet themselves and each other; replaces what was set before. Wakes all, unless
+  /// nothing is another.
   Status set_self_collision(const SelfCollisionDesc&) noexcept;
   Status clear_self_collision() noexcept;
   /// Of a world without self-collision all are 0.

@@ -154,9 +154,48 @@ void put_all_shapes(Stage& s) {
   put_one(CylinderDesc{{0.5, 0.6, -0.3}, {0.5, 0.5, -0.08}, 0.1});
   put_one(BoxDesc{{0.8, 0.8, -0.2}, {0.1, 0.1, 0.12}, {1, 2, 3}, 30});
 }
+
+/// Cloths on a layer of their own, for some of the colliders to be on.
+inline void choose_layer(ClothDesc& d) { d.collision_layers = 2; }
+template <uint32_t layers, class Desc>
+Desc on_layers(Desc collider) {
+  collider.layers = layers;
+  return collider;
+}
+inline void put_on_other_layers(Stage& s) {
+  add(s, on_layers<1>(sphere(0)));
+  add(s, on_layers<4>(plane(0)));
+  add(s, on_layers<0>(capsule(0)));
+  add(s, on_layers<5>(cylinder(0)));
+  add(s, on_layers<~2u>(box(0)));
+}
+inline void put_on_layers(Stage& s) {
+  add(s, on_layers<1>(box(0)));
+  add(s, on_layers<4>(sphere(-0.2)));
+  add(s, on_layers<3>(sphere(0)));
+  add(s, on_layers<4>(plane(0)));
+  add(s, on_layers<~0u>(plane(0.3)));
+}
+inline constexpr Effect collider_layers{.name = "collider_layers",
+                                        .used = {.line = "5 colliders of which 2 are met",
+                                                 .dress = choose_layer,
+                                                 .furnish = put_on_layers},
+                                        .null = {{.line = "5 colliders on other layers",
+                                                  .dress = choose_layer,
+                                                  .furnish = put_on_other_layers}},
+                                        .cloth_keys = R"("collision": {"layers": 2})",
+                                        .scene_keys = {R"("colliders": [
+            {"box": {"center": [0.5, 0.5, -0.2], "half": [0.3, 0.3, 0.2]}, "layers": 1},
+            {"sphere": {"center": [0.5, 0.5, -0.2], "radius": 0.4}, "layers": 4},)",
+                                                       R"(
+            {"sphere": {"center": [0.5, 0.5, -0.4], "radius": 0.4}, "layers": 3},
+            {"plane": {"normal": [0, 0, 1], "offset": 0}, "layers": 4},
+            {"plane": {"normal": [0, 0, 1], "offset": -0.3}}])"}};
+
 inline constexpr Effect group_effects[] = {
     sphere_and_plane,
     many_spheres,
+    collider_layers,
     {.name = "all_shapes_rough", .used = {.furnish = put_all_shapes<Way::rough>}},
     {.name = "all_shapes_moving", .used = {.furnish = put_all_shapes<Way::moving>}},
     {.name = "all_shapes_turning", .used = {.furnish = put_all_shapes<Way::turning>, .lead = turn}},

@@ -109,7 +109,8 @@ class ColliderMaker {
   Status operator()(const MeshColliderScene& scene) {
     const auto mesh = cook(scene);
     if (!mesh) return mesh.status();
-    return world_.create_mesh({*mesh, scene.pose, scene.velocity, scene.friction}).status();
+    return world_.create_mesh({*mesh, scene.pose, scene.velocity, scene.friction, scene.layers})
+        .status();
   }
 
  private:
@@ -167,6 +168,9 @@ void add_surroundings(const Scene& scene, RunningScene& made) {
     if (made.mesh_colliders.size() < made.collider_meshes.size()) made.mesh_colliders.push_back(i);
   }
   if (scene.wind) made.require(made.world.set_wind(*scene.wind), scene.file + ": $.wind");
+  if (!scene.self_collision) return;
+  made.require(made.world.set_self_collision(self_collision_desc(*scene.self_collision)),
+               scene.file + ": $.self_collision");
 }
 
 }  // namespace
@@ -179,6 +183,19 @@ size_t RunningScene::index_of(ClothId id) const {
 
 void RunningScene::require(Status status, const std::string& where) const {
   if (status != Status::ok) throw CoreError(status, where + ": " + log->last_error(status));
+}
+
+SelfCollisionDesc self_collision_desc(const SelfCollisionScene& scene) {
+  SelfCollisionDesc desc;
+  desc.search = scene.complete ? PairSearch::complete : PairSearch::staggered;
+  desc.distance = scene.distance;
+  desc.friction = scene.friction;
+  desc.cell = scene.cell;
+  desc.grids = scene.grids;
+  desc.shifts = scene.diagonal ? GridShifts::diagonal : GridShifts::corner;
+  desc.window = scene.window.value_or(0);
+  desc.skin = scene.skin.value_or(-1);
+  return desc;
 }
 
 RunningScene build(const Scene& scene, ContextDesc desc) {

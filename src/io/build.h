@@ -33,6 +33,8 @@ struct RunningScene {
 /// `desc` says where it runs; its log is replaced. CoreError names the file and the JSON path.
 RunningScene build(const Scene&, ContextDesc desc);
 
+SelfCollisionDesc self_collision_desc(const SelfCollisionScene&);
+
 /// Triangles and edges of all cloths, by vertices of the scene; the positions are zero.
 Surface make_surface(const Scene&, const RunningScene&);
 

@@ -67,6 +67,8 @@ nlohmann::ordered_json to_json(const Report& report) {
                    {"cpu_seconds", report.cpu_seconds}};
   const auto cost = report.ns_per_particle_step();
   json["ns_per_particle_step"] = cost ? OrderedJson(*cost) : OrderedJson(nullptr);
+  json["contacts"] = report.contacts;
+  json["pairs_excluded"] = report.pairs_excluded;
   json["phases"] = OrderedJson::array();
   for (const ReportPhase& phase : report.phases) {
     json["phases"].push_back({{"name", phase.name}, {"seconds", phase.seconds}});

@@ -29,8 +29,9 @@ struct Report {
   uint32_t threads = 0;
   uint64_t particles = 0, springs = 0, frames = 0, steps = 0;
   uint32_t substeps_per_frame = 0;
-  double dt = 0, dt_bound = 0;  ///< a bound of infinity is written as null
-  double wall_seconds = 0, cpu_seconds = 0;  ///< in steps; CPU time of all threads
+  double dt = 0, dt_bound = 0;                ///< a bound of infinity is written as null
+  double wall_seconds = 0, cpu_seconds = 0;   ///< in steps; CPU time of all threads
+  uint64_t contacts = 0, pairs_excluded = 0;  ///< of self-collision, at the end
   std::vector<ReportPhase> phases;
   uint64_t bytes_state = 0, bytes_total = 0;
   std::vector<ReportEvent> events;

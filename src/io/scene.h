@@ -77,16 +77,18 @@ struct MeshColliderScene {
   Pose pose;
   double3 velocity{0, 0, 0};
   double friction = 0;
+  uint32_t layers = ~0u;
 };
 using ColliderScene =
     std::variant<SphereDesc, PlaneDesc, CylinderDesc, CapsuleDesc, BoxDesc, MeshColliderScene>;
 
 struct SelfCollisionScene {
   bool complete = false;
-  double distance = 0.01, cell = 0.02;
+  double distance = 0.01, friction = 0, cell = 0.02;
   uint32_t grids = 8;
   bool diagonal = false;
   std::optional<uint32_t> window;
+  std::optional<double> skin;
 };
 
 constexpr int64_t least_pixels = 16, most_pixels = 8192;    ///< of a side of a picture

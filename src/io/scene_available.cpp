@@ -41,9 +41,6 @@ void refuse_solver(const SolverSettings& solver) {
 
 }  // namespace
 
-void refuse_unavailable(const Scene& scene) {
-  refuse_solver(scene.solver);
-  if (scene.self_collision) refuse("$.self_collision", "self-collision", "give null");
-}
+void refuse_unavailable(const Scene& scene) { refuse_solver(scene.solver); }
 
 }  // namespace weft::io

@@ -59,6 +59,15 @@ void read_tethers(const Node& node, ClothScene& cloth) {
   }
 }
 
+void read_collision(const Node& node, ClothScene& cloth) {
+  node.require_object({"distance", "itself", "others", "layers"});
+  const auto distance = node.find("distance");
+  if (distance && !distance->is_null()) cloth.collision_distance = distance->number(Sign::positive);
+  if (const auto key = node.find("itself")) cloth.collides_itself = key->boolean();
+  if (const auto key = node.find("others")) cloth.collides_others = key->boolean();
+  if (const auto key = node.find("layers")) cloth.collision_layers = read_layers(*key);
+}
+
 }  // namespace
 
 void read_transform(const Node& node, double& scale, Pose& pose) {
@@ -82,7 +91,7 @@ void read_rotation(const Node& node, double3& axis, double& degrees) {
 ClothScene read_cloth(const Node& node, MeshCache& meshes) {
   node.require_object({"name", "grid", "mesh", "network", "transform", "mass", "density", "masses",
                        "stiffness", "rest_length", "damping", "pins", "velocity", "velocities",
-                       "forces", "sleep", "tethers"});
+                       "forces", "sleep", "tethers", "collision"});
   ClothScene cloth;
   const Node name = node.at("name", "a name");
   cloth.name = name.text();
@@ -99,6 +108,7 @@ ClothScene read_cloth(const Node& node, MeshCache& meshes) {
   }
   if (const auto key = node.find("sleep")) read_sleep(*key, cloth);
   if (const auto key = node.find("tethers")) read_tethers(*key, cloth);
+  if (const auto key = node.find("collision")) read_collision(*key, cloth);
   return cloth;
 }
 

@@ -27,6 +27,8 @@ void read_pins(const Node&, ClothScene&);
 void read_transform(const Node&, double& scale, Pose&);
 /// `{ "axis", "degrees" }`
 void read_rotation(const Node&, double3& axis, double& degrees);
+/// A mask of 32 bits.
+uint32_t read_layers(const Node&);
 ColliderScene read_collider(const Node&, MeshCache&);
 std::optional<WindDesc> read_wind(const Node&);
 std::optional<SelfCollisionScene> read_self_collision(const Node&);

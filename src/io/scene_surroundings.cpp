@@ -101,7 +101,7 @@ void read_grids(const Node& node, SelfCollisionScene& scene) {
   }
   const auto key = node.find("grids");
   if (!key) return;
-  scene.grids = uint32_t(key->integer(1, 1024, "at least one grid is searched"));
+  scene.grids = uint32_t(key->integer(1, 64, "one to 64 grids are searched"));
   const bool corner = scene.grids == 1 || scene.grids == 2 || scene.grids == 4 || scene.grids == 8;
   if (!scene.diagonal && !corner) {
     key->out_of_range("\"corner\" shifts come as 1, 2, 4 or 8", "give one of these");
@@ -110,14 +110,19 @@ void read_grids(const Node& node, SelfCollisionScene& scene) {
 
 }  // namespace
 
+uint32_t read_layers(const Node& node) {
+  return uint32_t(node.integer(0, UINT32_MAX, "there are 32 layers, a bit for each"));
+}
+
 ColliderScene read_collider(const Node& node, MeshCache& meshes) {
   node.require_object(
-      {"sphere", "plane", "cylinder", "capsule", "box", "mesh", "friction", "velocity"});
+      {"sphere", "plane", "cylinder", "capsule", "box", "mesh", "friction", "velocity", "layers"});
   ColliderScene collider = read_collider_shape(node, meshes);
   std::visit(
       [&](auto& desc) {
         if (const auto key = node.find("friction")) desc.friction = key->number(Sign::not_negative);
         if (const auto key = node.find("velocity")) desc.velocity = key->vector();
+        if (const auto key = node.find("layers")) desc.layers = read_layers(*key);
       },
       collider);
   return collider;
@@ -136,18 +141,23 @@ std::optional<WindDesc> read_wind(const Node& node) {
 
 std::optional<SelfCollisionScene> read_self_collision(const Node& node) {
   if (node.is_null()) return std::nullopt;
-  node.require_object({"method", "distance", "cell", "grids", "shifts", "window"});
+  node.require_object(
+      {"method", "distance", "friction", "cell", "grids", "shifts", "window", "skin"});
   SelfCollisionScene scene;
   if (const auto key = node.find("method")) {
     scene.complete = key->choice<bool>({{"staggered", false}, {"complete", true}});
   }
   if (const auto key = node.find("distance")) scene.distance = key->number(Sign::positive);
+  if (const auto key = node.find("friction")) scene.friction = key->number(Sign::not_negative);
   if (const auto key = node.find("cell")) scene.cell = key->number(Sign::positive);
   read_grids(node, scene);
-  const auto key = node.find("window");
-  if (key && !key->is_null()) {
-    scene.window = uint32_t(key->integer(1, INT32_MAX, "a particle tests at least its neighbour"));
+  const auto window = node.find("window");
+  if (window && !window->is_null()) {
+    scene.window =
+        uint32_t(window->integer(1, INT32_MAX, "a particle tests at least its neighbour"));
   }
+  const auto skin = node.find("skin");
+  if (skin && !skin->is_null()) scene.skin = skin->number(Sign::not_negative);
   return scene;
 }
 

@@ -94,12 +94,13 @@ inline const char* name(Body body) {
 /// One whose highest point is `top` and whose inside reaches `size` in every direction from
 /// top - size. The mesh is a closed cube with a thickness of a tenth of `size`.
 inline weft::ColliderId add_body(TestWorld& test, Body body, Vec top, double size,
-                                 double friction = 0, Vec velocity = {}) {
+                                 double friction = 0, Vec velocity = {}, uint32_t layers = ~0u) {
   const Vec centre = top - Vec{0, size, 0};
   weft::World& world = test.world();
   const auto with = [&](auto desc) {
     desc.friction = friction;
     desc.velocity = to_weft(velocity);
+    desc.layers = layers;
     return desc;
   };
   switch (body) {

@@ -54,12 +54,13 @@ Vec3<T>& place_of(MeshCollider<T>& m) {
 
 template <class T>
 template <class Shape>
-void ColliderInputs<T>::Staged<Shape>::place(const double3& origin, size_t cloth) {
+void ColliderInputs<T>::Staged<Shape>::place(const ClothRecord& record, size_t cloth) {
   Shape* to = all.data() + cloth * seen.size();
   for (const Seen<Shape>& s : seen) {
+    if (!may_meet(record, *s.record)) continue;
     *to = s.shape;
-    place_of(*to) = narrow<T>(minus(s.at, origin));
-    to->surface.pivot = narrow<T>(minus(s.pivot, origin));
+    place_of(*to) = narrow<T>(minus(s.at, record.origin));
+    to->surface.pivot = narrow<T>(minus(s.pivot, record.origin));
     ++to;
   }
 }
@@ -92,7 +93,8 @@ void ColliderInputs<T>::prepare(const ArenaInput& in, const plan::DeviceArrays<T
 
 /// Where everything goes in this frame.
 template <class T>
-void ColliderInputs<T>::follow(const ArenaInput& in, const FrameInput& input) {
+void ColliderInputs<T>::follow(const ArenaInput& in, const FrameInput& input,
+                               const plan::DeviceArrays<T>& device) {
   followed_.clear();
   spheres_.seen.clear();
   capsules_.seen.clear();
@@ -110,7 +112,7 @@ void ColliderInputs<T>::follow(const ArenaInput& in, const FrameInput& input) {
       const double extent = std::max({size.x, size.y, size.z}) + bounds.radius;
       const double slack = c.shape == ColliderShape::plane ? 0 : 1e-6 * extent;
       followed_.push_back({&c, path, bounds, path.turns ? column : -1, slack});
-      see(followed_.back());
+      see(followed_.back(), in, device);
       if (c.can_turn) ++column;
     }
   }
@@ -135,7 +137,8 @@ void ColliderInputs<T>::stage_turns(const FrameInput& input) {
 
 /// What all cloths see alike of a collider that is no plane.
 template <class T>
-void ColliderInputs<T>::see(const Followed& e) {
+void ColliderInputs<T>::see(const Followed& e, const ArenaInput& in,
+                            const plan::DeviceArrays<T>& device) {
   const ColliderRecord& c = *e.record;
   const Placed& placed = e.path.begin;
   const auto along = [&](const double3& v) { return narrow<T>(rotate(placed.rows, v)); };
@@ -146,7 +149,7 @@ void ColliderInputs<T>::see(const Followed& e) {
   const T size = static_cast<T>(c.size);
   switch (c.shape) {
     case ColliderShape::sphere:
-      spheres_.seen.push_back({{none, size, surface}, at, pivot});
+      spheres_.seen.push_back({{none, size, surface}, at, pivot, &c});
       break;
     case ColliderShape::plane:
       break;
@@ -154,14 +157,15 @@ void ColliderInputs<T>::see(const Followed& e) {
       const double length2 = inner(c.axis, c.axis);
       const T inverse = static_cast<T>(length2 > 0 ? 1 / length2 : 0);
       capsules_.seen.push_back(
-          {{none, along(c.axis), inverse, size, along(c.side), surface}, at, pivot});
+          {{none, along(c.axis), inverse, size, along(c.side), surface}, at, pivot, &c});
       break;
     }
     case ColliderShape::cylinder:
       cylinders_.seen.push_back(
           {{none, along(c.axis), static_cast<T>(c.length), size, along(c.side), surface},
            at,
-           pivot});
+           pivot,
+           &c});
       break;
     case ColliderShape::box:
       boxes_.seen.push_back({{none,
@@ -169,14 +173,18 @@ void ColliderInputs<T>::see(const Followed& e) {
                               narrow<T>(c.half),
                               surface},
                              at,
-                             pivot});
+                             pivot,
+                             &c});
       break;
     case ColliderShape::mesh: {
       MeshCollider<T> mesh{};
       mesh.rotation = {
           {narrow<T>(placed.rows[0]), narrow<T>(placed.rows[1]), narrow<T>(placed.rows[2])}};
       mesh.surface = surface;
-      meshes_.seen.push_back({mesh, at, pivot});
+      const size_t m = in.mesh_of_collider[meshes_.seen.size()];
+      mesh.grid = device.meshes[m];
+      set_numbers(*in.meshes[m], mesh.grid);
+      meshes_.seen.push_back({mesh, at, pivot, &c});
       break;
     }
   }
@@ -195,20 +203,21 @@ Plane<T> ColliderInputs<T>::plane_of(const Followed& e, const double3& origin, d
   return plane;
 }
 
-/// All colliders in the frame of a cloth.
+/// The colliders that a cloth may meet, in its frame.
 template <class T>
-void ColliderInputs<T>::place_all(const double3& origin, double dt, size_t cloth) {
-  spheres_.place(origin, cloth);
-  capsules_.place(origin, cloth);
-  cylinders_.place(origin, cloth);
-  boxes_.place(origin, cloth);
-  meshes_.place(origin, cloth);
+void ColliderInputs<T>::place_all(const ClothRecord& record, double dt, size_t cloth) {
+  spheres_.place(record, cloth);
+  capsules_.place(record, cloth);
+  cylinders_.place(record, cloth);
+  boxes_.place(record, cloth);
+  meshes_.place(record, cloth);
   if (planes_.empty()) return;
   const size_t first_plane = spheres_.seen.size();  // the planes follow the spheres
   const size_t planes = followed_.size() - first_plane - capsules_.seen.size() -
                         cylinders_.seen.size() - boxes_.seen.size() - meshes_.seen.size();
-  for (size_t i = 0; i < planes; ++i) {
-    planes_[cloth * planes + i] = plane_of(followed_[first_plane + i], origin, dt);
+  Plane<T>* to = planes_.data() + cloth * planes;
+  for (size_t i = first_plane; i < first_plane + planes; ++i) {
+    if (may_meet(record, *followed_[i].record)) *to++ = plane_of(followed_[i], record.origin, dt);
   }
 }
 
@@ -223,9 +232,12 @@ size_t ColliderInputs<T>::find_near(const ClothRecord& cloth, double margin, dou
   size_t next = first, e = 0;
   for (int shape = 0; shape < collider_shapes; ++shape) {
     activity.near_first[shape] = static_cast<int>(next);
-    for (int32_t index = 0; e < followed_.size(); ++e, ++index) {
+    int32_t next_index = 0;
+    for (; e < followed_.size(); ++e) {
       const Followed& f = followed_[e];
       if (static_cast<int>(f.record->shape) != shape) break;
+      if (!may_meet(cloth, *f.record)) continue;
+      const int32_t index = next_index++;
       if (!overlaps(box_low(low, f.slack), box_high(high, f.slack), f.bounds)) continue;
       const bool tilts = f.record->shape == ColliderShape::plane && f.path.turns;
       const SweptBounds r = tilts ? swept_bounds_in(low, high, *f.record,
@@ -275,18 +287,12 @@ Status ColliderInputs<T>::upload(const ArenaInput& in, const FrameInput& input,
                                  const plan::DeviceArrays<T>& device) {
   by_block_ = false;
   if (activity_.empty()) return Status::ok;
-  follow(in, input);
+  follow(in, input, device);
   stage_turns(input);
   const double gravity = length(in.world->gravity), time = input.substeps * input.dt;
   for (size_t c = 0; c < in.cloths.size(); ++c) {
-    place_all(in.cloths[c]->origin, time, c);
+    place_all(*in.cloths[c], time, c);
     stage_activity(*in.cloths[c], input, gravity, c * followed_.size(), activity_[c]);
-  }
-  for (size_t i = 0, of = 0; i < meshes_.all.size(); ++i, ++of) {
-    if (of == in.mesh_of_collider.size()) of = 0;
-    const size_t m = in.mesh_of_collider[of];
-    meshes_.all[i].grid = device.meshes[m];
-    set_numbers(*in.meshes[m], meshes_.all[i].grid);
   }
 
   const Colliders<T>& to = device.sim.colliders;

@@ -28,11 +28,11 @@ class ColliderInputs {
     double slack;  ///< m: what rounding to T may take off the bounds
   };
 
-  void follow(const ArenaInput&, const FrameInput&);
+  void follow(const ArenaInput&, const FrameInput&, const plan::DeviceArrays<T>& device);
   void stage_turns(const FrameInput&);
-  void see(const Followed&);
+  void see(const Followed&, const ArenaInput&, const plan::DeviceArrays<T>& device);
   Plane<T> plane_of(const Followed&, const double3& origin, double dt) const;
-  void place_all(const double3& origin, double dt, size_t cloth);
+  void place_all(const ClothRecord&, double dt, size_t cloth);
   void stage_activity(const ClothRecord&, const FrameInput&, double gravity, size_t first_near,
                       ClothActivity<T>&);
   size_t find_near(const ClothRecord&, double margin, double dt, size_t first, ClothActivity<T>&);
@@ -42,12 +42,13 @@ class ColliderInputs {
   struct Seen {
     Shape shape;
     double3 at, pivot;  ///< in the world
+    const ColliderRecord* record;
   };
   template <class Shape>
   struct Staged {
     Vector<Seen<Shape>> seen;
-    Vector<Shape> all;  ///< [cloth][collider]
-    void place(const double3& origin, size_t cloth);
+    Vector<Shape> all;  ///< [cloth][collider]; those that a cloth may not meet have left no gap
+    void place(const ClothRecord&, size_t cloth);
   };
 
   const Backend& backend_;

@@ -182,8 +182,11 @@ void fill_params(const ArenaInput& in, Vector<ClothParams<T>>& out) {
     });
     p.in_wind = in.wind != nullptr && in.shape.cloths[c].triangles ? 1 : 0;
     for (int k = 0; k < collider_shapes; ++k) {
-      p.collider_count[k] = static_cast<int>(in.shape.colliders[k]);
-      p.collider_first[k] = static_cast<int>(c) * p.collider_count[k];
+      p.collider_first[k] = static_cast<int>(c) * static_cast<int>(in.shape.colliders[k]);
+    }
+    for (const ColliderRecord& collider : *in.colliders) {
+      const bool met = collider.id && may_meet(cloth, collider);
+      if (met) ++p.collider_count[static_cast<int>(collider.shape)];
     }
     out[c] = p;
   }

@@ -102,32 +102,38 @@ weft_cloth_desc weft_default_cloth(void) {
 }
 weft_sphere_desc weft_default_sphere(void) {
   const SphereDesc d;
-  return {api::to_c(d.center), d.radius, api::to_c(d.velocity), d.friction};
+  return {api::to_c(d.center), d.radius, api::to_c(d.velocity), d.friction, d.layers};
 }
 weft_plane_desc weft_default_plane(void) {
   const PlaneDesc d;
-  return {api::to_c(d.normal), d.offset, api::to_c(d.velocity), d.friction};
+  return {api::to_c(d.normal), d.offset, api::to_c(d.velocity), d.friction, d.layers};
 }
 weft_capsule_desc weft_default_capsule(void) {
   const CapsuleDesc d;
-  return {api::to_c(d.a), api::to_c(d.b), d.radius, api::to_c(d.velocity), d.friction};
+  return {api::to_c(d.a), api::to_c(d.b), d.radius, api::to_c(d.velocity), d.friction, d.layers};
 }
 weft_cylinder_desc weft_default_cylinder(void) {
   const CylinderDesc d;
-  return {api::to_c(d.a), api::to_c(d.b), d.radius, api::to_c(d.velocity), d.friction};
+  return {api::to_c(d.a), api::to_c(d.b), d.radius, api::to_c(d.velocity), d.friction, d.layers};
 }
 weft_box_desc weft_default_box(void) {
   const BoxDesc d;
-  return {api::to_c(d.center), api::to_c(d.half),     api::to_c(d.axis),
-          d.degrees,           api::to_c(d.velocity), d.friction};
+  return {api::to_c(d.center),   api::to_c(d.half), api::to_c(d.axis), d.degrees,
+          api::to_c(d.velocity), d.friction,        d.layers};
 }
 weft_mesh_collider_desc weft_default_mesh_collider(void) {
-  return {nullptr, weft_default_pose(), {0, 0, 0}, 0};
+  return {nullptr, weft_default_pose(), {0, 0, 0}, 0, MeshColliderDesc{}.layers};
 }
 weft_output_desc weft_default_output(void) { return {}; }
 weft_wind_desc weft_default_wind(void) {
   const WindDesc d;
   return {api::to_c(d.velocity), d.air_density, d.normal, d.tangential};
+}
+
+weft_self_collision_desc weft_default_self_collision(void) {
+  const SelfCollisionDesc d;
+  return {static_cast<uint8_t>(d.search), d.distance, d.friction, d.cell, d.grids,
+          static_cast<uint8_t>(d.shifts), d.window,   d.skin};
 }
 
 /// The log's severity is a number in C.

@@ -102,20 +102,25 @@ ClothDesc from_c(const weft_cloth_desc& d) {
 }
 
 SphereDesc from_c(const weft_sphere_desc& d) {
-  return {from_c(d.center), d.radius, from_c(d.velocity), d.friction};
+  return {from_c(d.center), d.radius, from_c(d.velocity), d.friction, d.layers};
 }
 PlaneDesc from_c(const weft_plane_desc& d) {
-  return {from_c(d.normal), d.offset, from_c(d.velocity), d.friction};
+  return {from_c(d.normal), d.offset, from_c(d.velocity), d.friction, d.layers};
 }
 BoxDesc from_c(const weft_box_desc& d) {
-  return {from_c(d.center), from_c(d.half),     from_c(d.axis),
-          d.degrees,        from_c(d.velocity), d.friction};
+  return {from_c(d.center),   from_c(d.half), from_c(d.axis), d.degrees,
+          from_c(d.velocity), d.friction,     d.layers};
 }
 MeshColliderDesc from_c(const weft_mesh_collider_desc& d) {
-  return {d.mesh ? d.mesh->mesh : ColliderMesh(), from_c(d.pose), from_c(d.velocity), d.friction};
+  return {d.mesh ? d.mesh->mesh : ColliderMesh(), from_c(d.pose), from_c(d.velocity), d.friction,
+          d.layers};
 }
 WindDesc from_c(const weft_wind_desc& d) {
   return {from_c(d.velocity), d.air_density, d.normal, d.tangential};
+}
+SelfCollisionDesc from_c(const weft_self_collision_desc& d) {
+  return {choice<PairSearch>(d.search), d.distance, d.friction, d.cell, d.grids,
+          choice<GridShifts>(d.shifts), d.window,   d.skin};
 }
 
 ColliderSetDesc from_c(const weft_collider_set_desc& d) {

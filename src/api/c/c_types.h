@@ -44,11 +44,12 @@ SphereDesc from_c(const weft_sphere_desc&);
 PlaneDesc from_c(const weft_plane_desc&);
 template <class Desc>
 Desc rod_from_c(const weft_capsule_desc& d) {
-  return {from_c(d.a), from_c(d.b), d.radius, from_c(d.velocity), d.friction};
+  return {from_c(d.a), from_c(d.b), d.radius, from_c(d.velocity), d.friction, d.layers};
 }
 BoxDesc from_c(const weft_box_desc&);
 MeshColliderDesc from_c(const weft_mesh_collider_desc&);
 WindDesc from_c(const weft_wind_desc&);
+SelfCollisionDesc from_c(const weft_self_collision_desc&);
 ColliderSetDesc from_c(const weft_collider_set_desc&);
 OutputDesc from_c(const weft_output_desc&);
 

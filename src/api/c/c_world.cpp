@@ -151,6 +151,32 @@ weft_status weft_set_wind(weft_world* w, const weft_wind_desc* d) {
 weft_status weft_clear_wind(weft_world* w) {
   return on(w, [](World& world) { return world.clear_wind(); });
 }
+weft_status weft_set_self_collision(weft_world* w, const weft_self_collision_desc* d) {
+  return on(
+      w, [&](World& world) { return world.set_self_collision(api::from_c(*d)); }, d);
+}
+weft_status weft_clear_self_collision(weft_world* w) {
+  return on(w, [](World& world) { return world.clear_self_collision(); });
+}
+weft_status weft_contacts(weft_world* w, weft_contact_counts* out) {
+  return take(
+      w, out, [](World& world) { return world.contacts(); },
+      [](const ContactCounts& c, weft_contact_counts& made) {
+        made = {c.touching, c.excluded, c.listed, c.lists};
+      });
+}
+weft_status weft_near_pairs(weft_world* w, bool with_excluded, weft_near_pair* out, uint32_t room,
+                            uint32_t* count) {
+  return take(
+      w, count, [&](World& world) { return world.near_pairs(with_excluded); },
+      [&](const View<NearPair>& pairs, uint32_t& number_of) {
+        number_of = pairs.count;
+        for (uint32_t i = 0; out && i < room && i < number_of; ++i) {
+          const NearPair& p = pairs[i];
+          out[i] = {api::to_c(p.cloth_a), api::to_c(p.cloth_b), p.vertex_a, p.vertex_b};
+        }
+      });
+}
 weft_status weft_wake(weft_world* w, weft_cloth_id id) {
   return on(w, [&](World& world) { return world.wake(api::id_from_c<ClothId>(id)); });
 }

@@ -7,6 +7,7 @@
 #include "api/context/vector_math.h"
 #include "base/stable_sort_host.h"
 #include "scene/check.h"
+#include "scene/near_rest_pairs.h"
 #include "scene/trigonometry.h"
 
 namespace weft::api {
@@ -15,6 +16,20 @@ const PinRecord* ClothRecord::pin_of(uint32_t vertex) const {
   const auto at = std::lower_bound(pins.begin(), pins.end(), vertex,
                                    [](const PinRecord& p, uint32_t v) { return p.vertex < v; });
   return at != pins.end() && at->vertex == vertex ? &*at : nullptr;
+}
+
+double collision_distance_of(const ClothRecord& cloth, const SelfCollisionDesc& desc) {
+  return cloth.collision_distance > 0 ? cloth.collision_distance : desc.distance;
+}
+
+uint64_t excluded_pairs(const ClothRecord& cloth, const SelfCollisionDesc& desc) {
+  if (!cloth.collides_itself) return 0;
+  const double distance = collision_distance_of(cloth, desc);
+  if (cloth.near_rest_distance != distance) {
+    cloth.near_rest_pairs = scene::near_rest_pairs(cloth.cooked(), distance);
+    cloth.near_rest_distance = distance;
+  }
+  return cloth.near_rest_pairs;
 }
 
 double3 posed(const ClothRecord& cloth, uint32_t vertex) {
@@ -197,6 +212,8 @@ void fill_record(const ClothDesc& desc, ClothRecord& cloth) {
     scene::check_not_negative(desc.*number.value, number.name);
   }
   scene::check_choice(int(desc.drag_model), 2, "drag_model", "central, lagged");
+  scene::check_choice(desc.collides_itself, 2, "collides_itself", "0, 1");
+  scene::check_choice(desc.collides_others, 2, "collides_others", "0, 1");
   static_cast<ClothSettings&>(cloth) = desc;
   cloth.user_data = desc.user_data;
   set_pins(desc, vertices, cloth);

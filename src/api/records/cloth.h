@@ -101,10 +101,19 @@ struct ClothRecord : ClothSettings, HostObject {
   Vector<scene::CookedDiagnostic> remarks;  ///< of World::diagnostics, and what it points to
   Vector<Diagnostic> told_remarks;
 
+  /// Pairs that are nearer than a distance at rest, and that distance; below 0: not counted yet.
+  mutable double near_rest_distance = -1;
+  mutable uint64_t near_rest_pairs = 0;
+
   bool bound_known = false;
   double bound_dt = 0;
   uint32_t bound_a = 0, bound_b = 0;
 };
+
+/// m: nearer than this its particles touch.
+double collision_distance_of(const ClothRecord&, const SelfCollisionDesc&);
+/// Pairs of this cloth that self-collision leaves out. Counted once for each distance.
+uint64_t excluded_pairs(const ClothRecord&, const SelfCollisionDesc&);
 
 /// Rest position of a vertex in the pose of the cloth, in the world.
 double3 posed(const ClothRecord&, uint32_t vertex);

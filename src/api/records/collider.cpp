@@ -19,6 +19,7 @@ ColliderRecord begin(ColliderShape shape, const Desc& desc, const char* velocity
   record.velocity = checked_vector(desc.velocity, velocity);
   scene::check_not_negative(desc.friction, friction);
   record.friction = desc.friction;
+  record.layers = desc.layers;
   return record;
 }
 

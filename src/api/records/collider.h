@@ -30,6 +30,7 @@ struct ColliderRecord {
   ColliderMesh mesh;          ///< holds the reference
   const scene::CookedColliderMesh* cooked_mesh = nullptr;
   double friction = 0;
+  uint32_t layers = ~0u;
   double sweep = 0;  ///< m: who moves further in a substep is swept
 
   double coordinate = 0;  ///< m: the largest of those that describe it, whose rounding it has
@@ -45,6 +46,10 @@ struct ColliderRecord {
   bool went = false;      ///< it did
   bool can_turn = false;  ///< was ever turned by a move: it needs a column of the turns
 };
+
+inline bool may_meet(const ClothSettings& cloth, const ColliderRecord& collider) {
+  return (cloth.collision_layers & collider.layers) != 0;
+}
 
 /// The path of a collider through a frame of length dt that begins at `time`. A shape or a mesh
 /// turns about its middle, which goes straight.

@@ -20,7 +20,7 @@ void World::Impl::wake_touched(const api::ColliderRecord& collider, double dt) {
   const api::SweptBounds bounds = swept_bounds(collider, path);
   for (const ClothId id : order) {
     api::ClothRecord& cloth = *cloths[id.index];
-    if (!cloth.asleep) continue;
+    if (!cloth.asleep || !may_meet(cloth, collider)) continue;
     // A hair's breadth more than the bounds: what rests on a collider is at its surface.
     const double hair = 1e-3 * api::length(api::minus(cloth.high, cloth.low)) + 1e-6;
     const double3 by{hair, hair, hair};

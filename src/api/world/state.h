@@ -125,6 +125,8 @@ struct __attribute__((visibility("hidden"))) World::Impl : HostObject {
   void stretch(api::ColliderRecord&, const api::ColliderRecord& other);
   void remove(api::ColliderRecord&);
   void wake_all() noexcept;
+  /// Fills `pairs` with those that self-collision finds at the present positions.
+  Status find_pairs(bool with_excluded);
   /// What was worked out to be read is of other inputs.
   void forget_results() noexcept {
     result = Result::none;

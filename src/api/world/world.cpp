@@ -235,6 +235,18 @@ Status World::destroy_collider(ColliderId id) noexcept {
   });
 }
 
+/// Pairs of a cloth that self-collision leaves out.
+static void remark_on_excluded(const api::ClothRecord& cloth, const SelfCollisionDesc& desc,
+                               Vector<scene::CookedDiagnostic>& out) {
+  const uint64_t pairs = excluded_pairs(cloth, desc);
+  if (pairs == 0) return;
+  out.push_back({Severity::info, 0,
+                 text("%llu pairs of vertices are nearer to each other at rest than the collision "
+                      "distance, %g m (springs and contact would fight) they never touch, unless "
+                      "the distance is smaller",
+                      static_cast<unsigned long long>(pairs), collision_distance_of(cloth, desc))});
+}
+
 /// Every vertex must exist; `pinned`: each must have a pin.
 static void check_vertices(const api::ClothRecord& cloth, View<uint32_t> vertices, bool pinned) {
   scene::check_view(vertices, "vertices");
@@ -324,6 +336,7 @@ Result<View<Diagnostic>> World::diagnostics(ClothId id) noexcept {
   View<Diagnostic> told;
   const Status status = api::guarded(*impl_->context, [&] {
     cloth->remarks = api::remarks_on(*cloth);
+    if (impl_->self_collision) remark_on_excluded(*cloth, *impl_->self_collision, cloth->remarks);
     cloth->told_remarks.clear();
     for (const scene::CookedDiagnostic& d : cloth->remarks) {
       cloth->told_remarks.push_back({d.severity, d.element, d.text.c_str()});

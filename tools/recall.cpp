@@ -64,9 +64,9 @@ std::string percent(const std::optional<double>& share, const char* otherwise) {
 std::string description_of(const SelfCollisionDesc& search) {
   if (search.search == PairSearch::complete) return method_of(search);
   return method_of(search) + ", " + std::to_string(search.grids) +
-         (search.shifts == GridShifts::corner ? " corner" : " diagonal") + " grids of cells of " +
-         figure(search.cell) + " m, " +
-         (search.window > 0 ? "window " + std::to_string(search.window) : "no window");
+         (search.shifts == GridShifts::corner ? " corner" : " diagonal") +
+         (search.grids == 1 ? " grid of cells of " : " grids of cells of ") + figure(search.cell) +
+         " m, " + (search.window > 0 ? "window " + std::to_string(search.window) : "no window");
 }
 
 void print_human(const io::Scene& scene, const SelfCollisionDesc& search, const Measured& m) {
@@ -75,8 +75,8 @@ void print_human(const io::Scene& scene, const SelfCollisionDesc& search, const 
                {"pairs", std::to_string(m.pairs.pairs_found) + " found of " +
                              std::to_string(m.pairs.pairs_true) + " nearer than their distance"},
                {"recall", percent(m.pairs.recall(), "")},
-               {"of a cloud", percent(m.expected.of_cloud, "no formula applies")},
-               {"of these pairs", percent(m.expected.of_pairs, "no formula applies")},
+               {"predicted", percent(m.expected.of_cloud, "no formula applies")},
+               {"expected", percent(m.expected.of_pairs, "no formula applies")},
                {"time", seconds_text(m.seconds) + " of the search"}});
 }
 

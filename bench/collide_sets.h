@@ -1,0 +1,44 @@
+// Sets of points whose near pairs are counted, and searches through them.
+#pragma once
+
+#include "weft/weft.hpp"
+
+#include <string>
+#include <vector>
+
+#include "io/recall.h"
+
+namespace weft::bench {
+
+/// Uniform in the unit cube.
+std::vector<double3> uniform_points(uint32_t count, uint64_t seed);
+/// A unit sheet of n x n, folded along `folds` random planes without stretching (what lies beyond a
+/// plane is mirrored in it), each point moved by up to `jitter` along each axis.
+std::vector<double3> crumpled_sheet(uint32_t n, uint32_t folds, double jitter, uint64_t seed);
+/// All of them moved by one random offset below a metre.
+std::vector<double3> moved(std::vector<double3>, uint64_t seed);
+
+/// "staggered, 4 corner grids, h = 2 r, window 8", with h over r = cell over distance.
+std::string name_of(const SelfCollisionDesc&);
+
+/// Free points that touch when they are near, in a world on one thread.
+class Cloud {
+ public:
+  Cloud(const std::vector<double3>& points, const SelfCollisionDesc&);
+
+  struct Search {
+    io::Recall recall;
+    double seconds;  ///< of near_pairs, the best of three
+  };
+  Search search();
+  /// Wall time of one substep.
+  double step();
+
+ private:
+  Context context_;
+  World world_;
+  ClothId cloth_;
+  io::MeetingCloth points_;
+};
+
+}  // namespace weft::bench

@@ -45,6 +45,11 @@ WEFT_HD void atomic_sum(unsigned long long* word, unsigned long long value) {
   WEFT_DEVICE_OR_HOST(atomicAdd(word, value),
                       (void)__atomic_fetch_add(word, value, __ATOMIC_RELAXED));
 }
+/// Adds, and returns what was there before.
+WEFT_HD unsigned long long atomic_take(unsigned long long* word, unsigned long long value) {
+  return WEFT_DEVICE_OR_HOST(atomicAdd(word, value),
+                             __atomic_fetch_add(word, value, __ATOMIC_RELAXED));
+}
 WEFT_HD void atomic_least(unsigned long long* word, unsigned long long value) {
   WEFT_DEVICE_OR_HOST(atomicMin(word, value), host_atomic_least(word, value));
 }

@@ -46,6 +46,15 @@
 #  define WEFT_SHUFFLE_DOWN(value, by) (value)
 #endif
 
+/// Value of lane 0 of the warp.
+#if defined(__HIP_DEVICE_COMPILE__)
+#  define WEFT_OF_FIRST_LANE(value) __shfl(value, 0, 32)
+#elif defined(__CUDA_ARCH__)
+#  define WEFT_OF_FIRST_LANE(value) __shfl_sync(~0u, value, 0)
+#else
+#  define WEFT_OF_FIRST_LANE(value) (value)
+#endif
+
 /// The first where a GPU runs this, the second on the host.
 #if defined(__CUDA_ARCH__) || defined(__HIP_DEVICE_COMPILE__)
 #  define WEFT_DEVICE_OR_HOST(device, host) device

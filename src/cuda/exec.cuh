@@ -5,6 +5,7 @@
 #include "cuda/gpu_api.h"  // first: what it declares is called in templates below
 
 #include "base/lanes.h"
+#include "cuda/sort.h"
 #include "step/exec_contract.h"
 #include "step/stage_clock.h"
 
@@ -34,6 +35,13 @@ class Team {
     const int groups = (count + warps_per_group - 1) / warps_per_group;
     run_blocks<<<dim3(static_cast<unsigned>(groups)), dim3(warps_per_group * block_size), 0,
                  stream_>>>(count, kernel);
+  }
+  void sort_by_key(uint32_t* keys, uint32_t* values, int count, int) const {
+    (void)sort_pairs(keys, values, count);
+  }
+  void sort_few_bits(uint32_t* keys, uint32_t* values, uint32_t*, uint32_t*, int count,
+                     int) const {
+    (void)sort_pairs(keys, values, count);
   }
   void meet() const {}
   // The host enqueues and does not wait: it cannot say how long a part of the frame takes.

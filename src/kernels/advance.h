@@ -12,6 +12,7 @@
 #include "kernels/particle_stages.h"
 #include "kernels/scatter_springs.h"
 #include "kernels/tethers.h"
+#include "kernels/touch.h"
 #include "kernels/wind.h"
 #include "state/stages.h"
 
@@ -60,6 +61,11 @@ struct AdvanceParticles {
       }
     }
     // -- seam: forces | integration | tethers | colliders
+    if constexpr (contains(Set, Stage::contacts)) {
+      if (moves && sim.contacts.state != nullptr) {
+        return integrate_for_contact(cloth, of_cloth, block, lane0, i0, lanes, force);
+      }
+    }
     if constexpr (contains(Set, Stage::colliders)) {
       if (sim.reach != nullptr && sim.activity != nullptr) {
         integrate_and_collide(cloth, sim.activity[of_cloth], block, i0, lanes, force);
@@ -92,6 +98,35 @@ struct AdvanceParticles {
       }
     }
     return left;
+  }
+
+  /// Where particles meet each other, pins are placed first: whoever touches them sees them where
+  /// they are. A block that has nobody near it goes on to its colliders; others wait for contact.
+  template <int N>
+  WEFT_HD_COLD void integrate_for_contact(const ClothParams<T>& cloth, int of_cloth, int block,
+                                          int lane0, int i0, Lanes<N> lanes,
+                                          const LaneVec3<T, N>& force) const {
+    const Simulation<T>& sim = stages.sim;
+    const Contacts<T>& contacts = sim.contacts;
+    const ClothActivity<T>& activity = sim.activity[of_cloth];
+    integrate(cloth, Everywhere{}, i0, lanes, force);
+    if constexpr (contains(Set, Stage::moving_pins)) {
+      if (sim.pins.of_block != nullptr && sim.pins.of_block[block] >= 0) {
+        stages.place_pins(sim.pins.of_block[block] * block_size + lane0, i0, lanes);
+      }
+    }
+    if (contacts.age > T(0) && has_outrun(contacts, stages.p.x_out, cloth.end, i0, lanes)) {
+      atomic_most(&contacts.state->outrun, 1ull);
+    }
+    if (waits_for_contact(contacts, block)) return;
+    if constexpr (contains(Set, Stage::colliders)) {
+      if (sim.reach == nullptr) return;
+      const CollideStage<T> collide{sim, stages.p, stages.step};
+      const Region<T> near = region_of(sim, cloth, activity, block, i0);
+      const bool every = activity.nearness == Nearness::every || collide.has_left(near, i0, lanes);
+      if (!every && meets_nothing(sim, activity, block)) return;
+      collide(cloth, activity, every, near, block, i0, lanes);
+    }
   }
 
   /// A block that stays in its region meets the colliders of its list, which often are none.

@@ -4,6 +4,7 @@
 
 #include "kernels/collide.h"
 #include "kernels/particle_stages.h"
+#include "kernels/touch.h"
 #include "state/stages.h"
 
 namespace weft {
@@ -22,6 +23,7 @@ struct CollidePass {
     if constexpr (contains(every_stage, Stage::sleep)) {
       if (activity.asleep) return;
     }
+    if (sim.contacts.state != nullptr && !waits_for_contact(sim.contacts, block)) return;
     if constexpr (contains(every_stage, Stage::colliders)) {
       collide(sim.cloths[of_cloth], activity, block, i0, lanes);
     }

@@ -15,6 +15,7 @@
 
 #include "base/atomic.h"
 #include "base/lanes.h"
+#include "omp/sort.h"
 #include "step/exec_contract.h"
 #include "step/stage_clock.h"
 #include "step/workers.h"
@@ -132,6 +133,16 @@ class Team {
     const int end =
         thread_ + 1 == threads_ ? count : first_of_share(kernel, count, thread_ + 1, threads_);
     run_range(kernel, begin, end);
+  }
+  /// Sorts pairs by key, equal keys in their order: every call one thread, the calls of a pass by
+  /// turns. Whoever needs the order meets first.
+  void sort_by_key(uint32_t* keys, uint32_t* values, int count, int turn) const {
+    if (turn % threads_ == thread_) omp::stable_sort_by_key(keys, values, count, true);
+  }
+  /// Keys below 2^bits, with room for as many.
+  void sort_few_bits(uint32_t* keys, uint32_t* values, uint32_t*, uint32_t*, int count,
+                     int) const {
+    if (leads()) omp::stable_sort_by_key(keys, values, count, true);
   }
   void meet() const {
     if (threads_ > 1) barrier_->wait(threads_);

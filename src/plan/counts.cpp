@@ -104,6 +104,16 @@ Counts counts_of(const WorldShape& world) {
   n.collides = n.all_colliders > 0 && n.cloths > 0;
   n.uses_activity |= n.collides;
   n.meets_meshes = !world.meshes.empty();
+  if (world.contact_grids > 0 && n.particles > 0) {
+    n.contact_grids = world.contact_grids;
+    n.staggered = world.staggered;
+    // Some two cells a particle, and four along each axis.
+    n.key_bits = 6;
+    while (n.key_bits < 24 && (int64_t(1) << n.key_bits) < 2 * n.particles) ++n.key_bits;
+    if (n.staggered) n.key_bits = 32;
+    n.reads_velocities = true;
+    n.uses_activity = true;
+  }
   n.accumulation = static_cast<int32_t>(world.accumulation);
   n.full_scale = world.full_scale;
   return n;

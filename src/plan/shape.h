@@ -47,6 +47,8 @@ struct WorldShape {
   uint32_t turning_colliders = 0;
   Vector<GridCounts> meshes;  ///< each that a collider uses, once
   bool interpolate = false;        ///< positions before a frame are kept
+  uint32_t contact_grids = 0;  ///< of self-collision: 0 none, 1 complete, else staggered or
+  bool staggered = false;      ///< staggered with one
   bool wind = false;
   bool normals = false;   ///< of meshes: grids need nothing for theirs
   uint32_t substeps = 1;  ///< most in a frame: motions are tabulated

@@ -37,6 +37,9 @@ struct Counts : ClothCounts {
   bool keeps_before;      ///< positions before a frame
   bool damped_edges, damped_hubs;
   bool uses_activity, collides, meets_meshes;
+  int64_t contact_grids;  ///< that particles are sorted into to find who is near; 0: nobody looks
+  int64_t key_bits;       ///< of a cell's key
+  bool staggered;         ///< by several grids, without a list that outlives a substep
   int32_t accumulation;  ///< Accumulation
   double full_scale;
 };

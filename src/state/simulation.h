@@ -3,6 +3,7 @@
 
 #include "state/activity.h"
 #include "state/colliders.h"
+#include "state/contacts.h"
 #include "state/edges.h"
 #include "state/forces.h"
 #include "state/particles.h"
@@ -55,6 +56,7 @@ struct Simulation {
   Survey<T>* survey;
   int survey_count;
   MovingPins<T> pins;
+  Contacts<T> contacts;
   BlockRange ranges[most_block_ranges];
   int range_count;
   bool windy;        ///< some cloth is in wind
@@ -88,6 +90,7 @@ struct Simulation {
     array(reach, n.collides ? particles / block_size : 0);
     array(near_memory, n.meets_meshes ? particles : 0);
     array.group(pins, n);
+    array.group(contacts, n);
     array(survey_ranges, n.survey_groups);
     array(survey, n.survey_groups);
     array.number(survey_count, n.survey_groups);

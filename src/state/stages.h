@@ -12,6 +12,7 @@ enum class Stage : uint32_t {
   spring_damping,  ///< along the springs
   wind,            ///< on triangles
   tethers,         ///< back to within a distance of the pins
+  contacts,        ///< apart from other particles
   colliders,       ///< out of the shapes, with friction
   moving_pins      ///< pins that are not where they were
 };

@@ -42,6 +42,9 @@ class Backend {
                        Vec3Array<float> d) const noexcept = 0;
   virtual Status probe(const Frame<double>&, Vec3Array<double> x,
                        Vec3Array<double> d) const noexcept = 0;
+  /// Pairs near each other now, into the rows of Contacts.
+  virtual Status pairs(const Frame<float>&) const noexcept = 0;
+  virtual Status pairs(const Frame<double>&) const noexcept = 0;
   /// What run_frame leaves behind, for state that no frame has made.
   virtual Status survey(const Frame<float>&) const noexcept = 0;
   virtual Status survey(const Frame<double>&) const noexcept = 0;

@@ -51,6 +51,8 @@ class BackendOf final : public Backend {
                Vec3Array<double> d) const noexcept override {
     return do_probe(f, x, d);
   }
+  Status pairs(const Frame<float>& f) const noexcept override { return do_pairs(f); }
+  Status pairs(const Frame<double>& f) const noexcept override { return do_pairs(f); }
   Status survey(const Frame<float>& f) const noexcept override { return do_survey(f); }
   Status survey(const Frame<double>& f) const noexcept override { return do_survey(f); }
   Status normals(const Frame<float>& f) const noexcept override { return do_normals(f); }
@@ -114,6 +116,12 @@ class BackendOf final : public Backend {
   static Status do_probe(const Frame<T>& f, Vec3Array<T> x, Vec3Array<T> d) {
     auto e = exec(f);
     run_probe(e, f, x, d);
+    return Device::finish();
+  }
+  template <class T>
+  static Status do_pairs(const Frame<T>& f) {
+    auto e = exec(f);
+    run_pairs(e, f);
     return Device::finish();
   }
   template <class T>

@@ -16,6 +16,8 @@ struct Frame {
   bool newcomers;    ///< some cloth has not moved yet: its start belongs to `dt`
   Vec3<T> gravity;
   Wind<T> wind;
+  int begin;      ///< substep to go on with: 0, but where a list of pairs needed more room
+  int list_age;   ///< substeps since the list of near pairs was made; -1: there is none
   bool by_block;  ///< some cloth has a list of colliders for each of its blocks
   Workers workers = 1;
 };

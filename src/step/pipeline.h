@@ -17,6 +17,7 @@
 #include "kernels/shift.h"
 #include "kernels/survey.h"
 #include "kernels/write_vertices.h"
+#include "step/contacts.h"
 #include "step/exec_contract.h"
 #include "step/fans.h"
 #include "step/frame.h"
@@ -142,6 +143,23 @@ void advance(const Team& team, const Simulation<T>& sim, const ParticleBuffers<T
   team.lap(Lap::advance);
 }
 
+/// The same up to where particles meet each other; what then follows is in step/contacts.h.
+template <class T, class Team>
+void advance_before_contact(const Team& team, const Simulation<T>& sim,
+                            const ParticleBuffers<T>& p, const StepParams<T>& step) {
+  springs_before(team, sim, p, step);
+  if constexpr (Team::fuses) {
+    advance_ranges<one_pass>(team, sim, p, step);
+  } else if (sim.windy) {
+    advance_ranges<in_wind>(team, sim, p, step);
+  } else {
+    advance_ranges<in_still_air>(team, sim, p, step);
+  }
+  team.meet();
+  measured::round_after(team, sim.edges, p, step.update);
+  team.lap(Lap::advance);
+}
+
 template <class T, class Team>
 void survey(const Team& team, const Simulation<T>& sim, bool position_form) {
   const ParticleBuffers<T> p = buffers(sim, position_form);
@@ -153,9 +171,46 @@ void survey(const Team& team, const Simulation<T>& sim, bool position_form) {
   team.meet();
 }
 
+/// A frame of particles that meet each other, from substep frame.begin on. It ends before its last
+/// substep where the list of near pairs needs more room: frame.begin says where.
+template <class T, class Exec>
+void run_frame_with_contact(Exec& exec, Frame<T>& frame) {
+  const int begin = frame.begin;
+  exec.frame([&frame, begin](const auto& team) {
+    Simulation<T> sim = frame.sim;
+    ListAge age{frame.list_age};
+    team.start_clock();
+    team.meet();  // all have read what the first of them to be done will write
+    if (frame.by_block && begin == 0) {
+      team.for_each_block(sim.blocks, ReachOfBlocks<T>{sim, sim.x[0]});
+      team.meet();
+      team.lap(Lap::reach);
+    }
+    int s = begin;
+    for (; s < frame.substeps; ++s) {
+      const ParticleBuffers<T> p = buffers(sim, frame.position_form);
+      if (!substep_with_contact(team, sim, p, step_params(frame, s), age)) break;
+      swap_buffers(sim, frame.position_form);
+    }
+    if (s == frame.substeps) {
+      survey(team, sim, frame.position_form);
+      team.lap(Lap::survey);
+    }
+    team.meet();
+    if (team.leads()) {
+      frame.begin = s;
+      frame.list_age = age.substeps;
+    }
+  });
+  for (int s = 0; s < (frame.begin - begin) % 6; ++s) {
+    swap_buffers(frame.sim, frame.position_form);
+  }
+}
+
 /// Advances a frame. Afterwards frame.sim names the buffers that hold the present.
 template <class T, class Exec>
 void run_frame(Exec& exec, Frame<T>& frame) {
+  if (frame.sim.contacts.state != nullptr) return run_frame_with_contact(exec, frame);
   exec.frame([&frame](const auto& team) {
     Simulation<T> sim = frame.sim;
     team.start_clock();
@@ -211,7 +266,22 @@ void run_probe(Exec& exec, const Frame<T>& frame, Vec3Array<T> x, Vec3Array<T> d
       team.for_each_block(frame.sim.blocks, ReachOfBlocks<T>{frame.sim, frame.sim.x[0]});
       team.meet();
     }
-    advance(team, frame.sim, p, step_params(frame, 0));
+    Simulation<T> sim = frame.sim;
+    if (sim.contacts.state == nullptr) return advance(team, sim, p, step_params(frame, 0));
+    sim.contacts.age = T(0);
+    sim.contacts.every_block = 1;
+    advance_before_contact(team, sim, p, step_params(frame, 0));
+    list_pairs(team, sim, p, p.x_out, frame.position_form, false);
+    respond_to_contact(team, sim, p, step_params(frame, 0), false);
+  });
+}
+
+/// Lists the pairs that are near now.
+template <class T, class Exec>
+void run_pairs(Exec& exec, const Frame<T>& frame) {
+  exec.frame([&](const auto& team) {
+    const ParticleBuffers<T> p = buffers(frame.sim, frame.position_form);
+    list_pairs(team, frame.sim, p, p.x_in, frame.position_form, false);
   });
 }
 

@@ -4,8 +4,8 @@
 namespace weft {
 
 /// The parts of a frame between which all threads meet (step/pipeline.h).
-enum class Lap : int { reach, springs, hubs, sums, advance, survey };
-constexpr int lap_count = 6;
+enum class Lap : int { reach, springs, hubs, sums, advance, survey, contacts };
+constexpr int lap_count = 7;
 
 /// Seconds of each since the clock was made; one thread of the team keeps it.
 struct StageClock {

@@ -5,6 +5,7 @@
 
 #include "api/arena/fill.h"
 #include "api/arena/collider_inputs.h"
+#include "api/arena/contacts.h"
 #include "api/arena/device_memory.h"
 #include "api/arena/origins.h"
 #include "api/arena/overflow.h"
@@ -25,6 +26,7 @@ class ArenaOf final : public Arena, public HostObject {
       : context_(context),
         backend_(*context.backend),
         memory_(context),
+        contacts_(context),
         colliders_(backend_),
         pins_(backend_) {}
 
@@ -43,6 +45,7 @@ class ArenaOf final : public Arena, public HostObject {
       in.cloths[c]->parts_changed = 0;
     }
     status = fill(in, dt, time);
+    if (status == Status::ok) status = contacts_.prepare(in, sim_);
     if (status != Status::ok) return status;
     params_.resize(in.cloths.size());
     found_.resize(static_cast<size_t>(places.back().survey_groups));
@@ -64,12 +67,14 @@ class ArenaOf final : public Arena, public HostObject {
     Status status = colliders_.upload(in, input, device_);
     if (status == Status::ok) status = pins_.upload(in, input, device_.sim.pins);
     if (status == Status::ok) status = upload_parts(in);
-    if (status == Status::ok && device_.before.data) status = remember_positions();
-    Frame<T> frame = make_frame(in, input);
+    if (status == Status::ok) status = contacts_.upload(in, sim_);
+    if (status == Status::ok && device_.before.data) status = copy_vectors(sim_.x[0], device_.before);
     if (status != Status::ok) return status;
+    Frame<T> frame = make_frame(in, input);
     frame.by_block = colliders_.by_block();
-    status = backend_.frame(frame);
+    status = sim_.contacts.state ? frame_with_contact(frame) : backend_.frame(frame);
     sim_ = frame.sim;
+    if (status == Status::ok) status = contacts_.wake_touched(in, sim_);
     for (ClothRecord* cloth : in.cloths) {
       cloth->settling = std::max(0, cloth->settling - input.substeps);
     }
@@ -94,6 +99,7 @@ class ArenaOf final : public Arena, public HostObject {
     if (status != Status::ok) return status;
     Frame<T> frame = make_frame(in, input);
     frame.by_block = colliders_.by_block();
+    contacts_.forget_list();
     return probe_.run(context_, frame, [&](const Vec3Array<T>& from, Vector<Vec3<T>>& out) {
       return fetch(from, 0, size_t(sim_.blocks) * block_size, out);
     });
@@ -205,12 +211,30 @@ class ArenaOf final : public Arena, public HostObject {
     return find_overflow(backend_, device_.sim.edges, found);
   }
 
-  Status near_pairs(const ArenaInput&, bool, Workers, Vector<NearPair>&) override {
-    return Status::ok;
+  Status near_pairs(const ArenaInput& in, bool with_excluded, Workers workers,
+                    Vector<NearPair>& out) override {
+    if (!sim_.contacts.state) return Status::ok;
+    Status status = contacts_.upload(in, sim_);
+    for (bool wanted = true; wanted && status == Status::ok;) {
+      Frame<T> frame{};
+      frame.sim = sim_;
+      frame.sim.contacts.with_excluded = with_excluded ? 1 : 0;
+      frame.workers = workers;
+      frame.position_form = in.world->form == Form::position;
+      contacts_.forget_list();
+      status = backend_.pairs(frame);
+      if (status == Status::ok) status = contacts_.make_room(sim_, wanted);
+    }
+    Vector<Vec3<T>> x;
+    if (status == Status::ok) status = fetch(sim_.x[0], 0, size_t(sim_.blocks) * block_size, x);
+    if (status != Status::ok) return status;
+    return contacts_.near_pairs(in, sim_, x, with_excluded, out);
   }
-  void list_counts(uint64_t& lists, uint64_t& listed) const override { lists = listed = 0; }
+  void list_counts(uint64_t& lists, uint64_t& listed) const override {
+    contacts_.counts(lists, listed);
+  }
 
-  uint64_t bytes() const override { return device_.bytes; }
+  uint64_t bytes() const override { return device_.bytes + contacts_.bytes(); }
 
  private:
   int stride() const { return backend_.info().vector_stride; }
@@ -238,6 +262,7 @@ class ArenaOf final : public Arena, public HostObject {
   }
   void fill_at(const ArenaInput& in, double dt, double time, plan::DeviceArrays<T>& image) {
     fill_image<T>(in, stride(), dt, time, image);
+    contacts_.fill(in, image.sim);
     colliders_.prepare(in, image);
     pins_.prepare(in, image.sim.pins);
   }
@@ -281,17 +306,38 @@ class ArenaOf final : public Arena, public HostObject {
     return status;
   }
 
-  /// The positions before a frame, for outputs that lie between it and the next.
-  Status remember_positions() {
+  /// A frame that is gone on with when its list of pairs has got more room; without memory for it
+  /// the frame has not been.
+  Status frame_with_contact(Frame<T>& frame) {
+    const Vec3Array<T> d = frame.position_form ? sim_.x[2] : sim_.d[0];
+    Status status = copy_vectors(sim_.x[0], sim_.contacts.start_x);
+    if (status == Status::ok) status = copy_vectors(d, sim_.contacts.start_d);
+    const Simulation<T> start = sim_;
+    frame.list_age = contacts_.age();
+    for (bool wanted = true; status == Status::ok && frame.begin < frame.substeps && wanted;) {
+      status = backend_.frame(frame);
+      contacts_.age() = frame.list_age;
+      if (status == Status::ok) status = contacts_.make_room(frame.sim, wanted);
+      frame.list_age = contacts_.age();
+    }
+    if (status != Status::out_of_memory) return status;
+    frame.sim = start;
+    contacts_.forget_list();
+    copy_vectors(start.contacts.start_x, start.x[0]);
+    copy_vectors(start.contacts.start_d, d);
+    return status;
+  }
+
+  /// All particles of an array of vectors to another.
+  Status copy_vectors(const Vec3Array<T>& from, const Vec3Array<T>& to) {
     const auto elements = static_cast<size_t>(sim_.blocks) * block_size;
     if (stride() > 1) {
-      return backend_.copy(device_.before.data, sim_.x[0].data,
-                           elements * static_cast<size_t>(stride()) * sizeof(T));
+      return backend_.copy(to.data, from.data, elements * static_cast<size_t>(stride()) * sizeof(T));
     }
     Status status = Status::ok;
     for (size_t c = 0; c < 3 && status == Status::ok; ++c) {
-      status = backend_.copy(device_.before.data + c * device_.before.pitch,
-                             sim_.x[0].data + c * sim_.x[0].pitch, elements * sizeof(T));
+      status = backend_.copy(to.data + c * to.pitch, from.data + c * from.pitch,
+                             elements * sizeof(T));
     }
     return status;
   }
@@ -391,6 +437,7 @@ class ArenaOf final : public Arena, public HostObject {
   Vector<Survey<T>> found_;
   SpringWatcher<T> springs_;
   Probe<T> probe_;
+  ContactTables<T> contacts_;
   ColliderInputs<T> colliders_;
   PinInputs<T> pins_;
 };

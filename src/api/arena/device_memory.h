@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <utility>
 
 #include "api/context/context_state.h"
 
@@ -28,6 +29,10 @@ class DeviceMemory {
     bytes_ = bytes;
     count(static_cast<std::ptrdiff_t>(bytes));
     return Status::ok;
+  }
+  void swap(DeviceMemory& other) {
+    std::swap(at_, other.at_);
+    std::swap(bytes_, other.bytes_);
   }
   void release() {
     if (!at_) return;

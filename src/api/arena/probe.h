@@ -37,6 +37,7 @@ class Probe {
     Frame<T> free = frame;
     free.sim.activity = nullptr;
     free.by_block = false;
+    free.sim.contacts.state = nullptr;
     Status status = backend.probe(free, x, d);
     if (status == Status::ok) status = fetch(moved, without_);
     if (status == Status::ok) status = backend.probe(frame, x, d);

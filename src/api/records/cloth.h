@@ -50,6 +50,7 @@ struct ClothRecord : ClothSettings, HostObject {
   const PinRecord* pin_of(uint32_t vertex) const;
 
   ClothId id;
+  uint64_t created = 0;  ///< its place among the cloths of the world, by creation
   Fabric fabric;  // holds the reference
   const scene::CookedFabric* cooked_fabric = nullptr;
 

@@ -187,7 +187,8 @@ struct __attribute__((visibility("hidden"))) World::Impl : HostObject {
   PhaseTime phases[api::phases_with_laps] = {
       {"prepare", 0},       {"advance", 0},           {"check", 0},
       {"advance.reach", 0}, {"advance.springs", 0},   {"advance.hubs", 0},
-      {"advance.sums", 0},  {"advance.particles", 0}, {"advance.survey", 0}};
+      {"advance.sums", 0},  {"advance.particles", 0}, {"advance.survey", 0},
+      {"advance.contacts", 0}};
   StageClock clock;
 
   api::EventList events;

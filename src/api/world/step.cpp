@@ -68,7 +68,9 @@ api::ArenaInput World::Impl::arena_input(uint32_t substeps) const {
   in.colliders = &colliders;
   in.wind = wind ? &*wind : nullptr;
   in.self_collision = self_collision ? &*self_collision : nullptr;
-  for (const ClothId id : order) {
+  for (size_t k = 0; k < order.size(); ++k) {
+    const ClothId id = order[k];
+    cloths[id.index]->created = k;
     // A cloth without vertices has no block; it needs no place.
     if (cloths[id.index]->cooked().vertices > 0) in.cloths.push_back(cloths[id.index].get());
   }
@@ -80,6 +82,8 @@ api::ArenaInput World::Impl::arena_input(uint32_t substeps) const {
   shape.full_scale = desc.fixed8_range;
   shape.substeps = std::max(1u, substeps);
   shape.wind = wind.has_value();
+  shape.staggered = self_collision && self_collision->search == PairSearch::staggered;
+  shape.contact_grids = !self_collision ? 0 : shape.staggered ? self_collision->grids : 1;
   shape.normals = normals_wanted;
   shape.interpolate = desc.interpolate;
   for (const api::ClothRecord* cloth : in.cloths) {

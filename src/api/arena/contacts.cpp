@@ -1,0 +1,234 @@
+#include "api/arena/contacts.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "api/arena/image.h"
+#include "base/message_host.h"
+
+namespace weft::api {
+
+namespace {
+
+double distance_of(const ClothRecord& cloth, const SelfCollisionDesc& desc) {
+  return cloth.collision_distance > 0 ? cloth.collision_distance : desc.distance;
+}
+
+ContactCloth contact_cloth(const ClothRecord& cloth, const SelfCollisionDesc& desc) {
+  return {{cloth.origin.x, cloth.origin.y, cloth.origin.z},
+          distance_of(cloth, desc),
+          cloth.sleep_speed,
+          cloth.collision_layers,
+          cloth.collides_itself ? 1 : 0,
+          cloth.collides_others ? 1 : 0};
+}
+
+/// Whether two particles of these cloths may meet at all.
+bool meet(const ContactCloth& a, const ContactCloth& b, bool same) {
+  return same ? a.itself != 0 : a.others && b.others && (a.layers & b.layers) != 0;
+}
+
+/// Skin of a particle where none is given, in least distances: with more, lists hold more pairs;
+/// with less, they are made more often.
+constexpr double usual_skin = 0.15;
+
+constexpr int64_t least_entries = 4096;
+
+}  // namespace
+
+template <class T>
+void ContactTables<T>::fill(const ArenaInput& in, Simulation<T>& image) const {
+  if (!in.self_collision || in.cloths.empty()) return;
+  uint32_t* rank = writable(image.contacts.rank);
+  double* rest = writable(image.contacts.rest);
+  // By creation: what is added to a world later does not come before what is there.
+  Vector<const ClothRecord*> created(in.cloths.begin(), in.cloths.end());
+  std::sort(created.begin(), created.end(), [](const ClothRecord* a, const ClothRecord* b) {
+    return a->created < b->created;
+  });
+  uint32_t next = 0;
+  for (const ClothRecord* cloth : created) {
+    const scene::CookedFabric& fabric = cloth->cooked();
+    for (uint32_t v = 0; v < fabric.vertices; ++v, ++next) {
+      const int64_t i = cloth->first() + static_cast<int64_t>(fabric.storage(v));
+      const double3 at = fabric.position_of(v);
+      rank[i] = next;
+      rest[3 * i] = at.x;
+      rest[3 * i + 1] = at.y;
+      rest[3 * i + 2] = at.z;
+    }
+  }
+}
+
+template <class T>
+Status ContactTables<T>::prepare(const ArenaInput& in, Simulation<T>& sim) {
+  lists_before_ = lists_;
+  age_ = -1;
+  if (!sim.contacts.state) {
+    memory_.release();
+    return Status::ok;
+  }
+  const SelfCollisionDesc& desc = *in.self_collision;
+  Contacts<T>& c = sim.contacts;
+  c.search = desc.search == PairSearch::complete ? Search::complete : Search::staggered;
+  c.grids = static_cast<int32_t>(c.search == Search::complete ? 1 : desc.grids);
+  c.window = static_cast<int32_t>(desc.window);
+  c.cell = desc.cell;
+  c.diagonal = desc.shifts == GridShifts::diagonal ? 1 : 0;
+  c.friction = static_cast<T>(desc.friction);
+  c.most_distance = 0;
+  double least = INFINITY;
+  for (const ClothRecord* cloth : in.cloths) {
+    c.most_distance = std::max(c.most_distance, distance_of(*cloth, desc));
+    least = std::min(least, distance_of(*cloth, desc));
+  }
+  c.skin = desc.skin < 0 ? usual_skin * least : desc.skin / 2;
+  ContactState state{};
+  state.limit = 16;
+  state.backoff = 1;
+  Status status = backend_.to_device(c.state, &state, sizeof state);
+  if (status != Status::ok) return status;
+  const auto particles = int64_t(sim.blocks) * block_size;
+  if (!memory_.data()) {
+    const int64_t entries = std::max(least_entries, 2 * particles);
+    status = memory_.allocate(static_cast<size_t>(entries) * sizeof(int32_t));
+    if (status != Status::ok) return status;
+  }
+  c.entry = reinterpret_cast<int32_t*>(memory_.data());
+  c.capacity = static_cast<int64_t>(memory_.bytes() / sizeof(int32_t));
+  cloths_.resize(in.cloths.size());
+  woken_.resize(in.cloths.size());
+  return upload(in, sim);
+}
+
+template <class T>
+Status ContactTables<T>::upload(const ArenaInput& in, Simulation<T>& sim) {
+  if (!sim.contacts.state) return Status::ok;
+  for (size_t k = 0; k < in.cloths.size(); ++k) {
+    const ClothRecord& cloth = *in.cloths[k];
+    const ContactCloth now = contact_cloth(cloth, *in.self_collision);
+    const double* before = cloths_[k].origin;
+    if (!std::equal(before, before + 3, now.origin)) age_ = -1;
+    cloths_[k] = now;
+  }
+  return backend_.to_device(writable(sim.contacts.cloth), cloths_.data(),
+                            cloths_.size() * sizeof(ContactCloth));
+}
+
+template <class T>
+Status ContactTables<T>::read_state(const Simulation<T>& sim, ContactState& state) {
+  const Status status = backend_.to_host(&state, sim.contacts.state, sizeof state);
+  if (status != Status::ok) return status;
+  lists_ = lists_before_ + state.lists;
+  listed_ = state.used;
+  return status;
+}
+
+template <class T>
+Status ContactTables<T>::make_room(Simulation<T>& sim, bool& wanted) {
+  wanted = false;
+  if (!sim.contacts.state) return Status::ok;
+  ContactState state;
+  Status status = read_state(sim, state);
+  if (status != Status::ok) return status;
+  wanted = state.used > static_cast<unsigned long long>(sim.contacts.capacity);
+  if (!wanted) return status;
+  const auto entries = state.used + state.used / 4;
+  DeviceMemory larger(context_);
+  status = larger.allocate(static_cast<size_t>(entries) * sizeof(int32_t));
+  if (status != Status::ok) return status;
+  memory_.swap(larger);
+  age_ = -1;
+  sim.contacts.entry = reinterpret_cast<int32_t*>(memory_.data());
+  sim.contacts.capacity = static_cast<int64_t>(entries);
+  return status;
+}
+
+template <class T>
+Status ContactTables<T>::wake_touched(const ArenaInput& in, const Simulation<T>& sim) {
+  if (!sim.contacts.state) return Status::ok;
+  ContactState state;
+  Status status = read_state(sim, state);
+  bool any = false;
+  for (const ClothRecord* cloth : in.cloths) any |= cloth->asleep;
+  if (status != Status::ok || !any) return status;
+  const size_t bytes = woken_.size() * sizeof woken_[0];
+  status = backend_.to_host(woken_.data(), sim.contacts.woken, bytes);
+  for (size_t k = 0; k < in.cloths.size() && status == Status::ok; ++k) {
+    if (woken_[k] != 0) wake(*in.cloths[k]);
+  }
+  return status == Status::ok ? backend_.zero(sim.contacts.woken, bytes) : status;
+}
+
+template <class T>
+Status ContactTables<T>::near_pairs(const ArenaInput& in, const Simulation<T>& sim,
+                                    const Vector<Vec3<T>>& positions, bool, Vector<NearPair>& out) {
+  const Contacts<T>& c = sim.contacts;
+  const auto blocks = static_cast<size_t>(sim.blocks);
+  Vector<int64_t> start(blocks);
+  Vector<int32_t> width(blocks);
+  Status status = backend_.to_host(start.data(), c.row_start, blocks * sizeof(int64_t));
+  if (status == Status::ok) {
+    status = backend_.to_host(width.data(), c.row_width, blocks * sizeof(int32_t));
+  }
+  if (status != Status::ok) return status;
+  Vector<int32_t> entries(static_cast<size_t>(std::min<int64_t>(
+      c.capacity, static_cast<int64_t>(listed_))));
+  status = backend_.to_host(entries.data(), c.entry, entries.size() * sizeof(int32_t));
+  if (status != Status::ok) return status;
+  // Cloth of a block, and the caller's number of a particle.
+  Vector<const ClothRecord*> cloth_of(blocks);
+  Vector<const ContactCloth*> contact_of(blocks);
+  for (size_t k = 0; k < in.cloths.size(); ++k) {
+    const auto first = static_cast<size_t>(in.cloths[k]->first()) / block_size;
+    for (int b = 0; b < slices_of(*in.cloths[k]); ++b) {
+      cloth_of[first + static_cast<size_t>(b)] = in.cloths[k];
+      contact_of[first + static_cast<size_t>(b)] = &cloths_[k];
+    }
+  }
+  const auto vertex = [&](const ClothRecord& cloth, int32_t i) {
+    const auto own = static_cast<uint32_t>(i - cloth.first());
+    return cloth.cooked().is_grid ? own : cloth.cooked().caller_of[own];
+  };
+  for (size_t b = 0; b < blocks; ++b) {
+    for (int32_t k = 0; k < width[b]; ++k) {
+      for (size_t l = 0; l < block_size; ++l) {
+        const auto i = static_cast<int32_t>(b * block_size + l);
+        const int32_t j = entries[static_cast<size_t>(start[b]) + size_t(k) * block_size + l];
+        if (i == j) continue;
+        const auto other = static_cast<size_t>(j) / block_size;
+        const ClothRecord &mine = *cloth_of[b], &theirs = *cloth_of[other];
+        const ContactCloth &one = *contact_of[b], &two = *contact_of[other];
+        const bool same = &mine == &theirs;
+        if (!meet(one, two, same)) continue;
+        const NearPair pair{mine.id, theirs.id, vertex(mine, i), vertex(theirs, j)};
+        const bool ordered = same ? pair.vertex_a < pair.vertex_b : mine.created < theirs.created;
+        if (!ordered) continue;
+        const Vec3<T> &p = positions[static_cast<size_t>(i)], &q = positions[static_cast<size_t>(j)];
+        const double x = (double(p.x) + one.origin[0]) - (double(q.x) + two.origin[0]);
+        const double y = (double(p.y) + one.origin[1]) - (double(q.y) + two.origin[1]);
+        const double z = (double(p.z) + one.origin[2]) - (double(q.z) + two.origin[2]);
+        const double reach = 0.5 * (one.distance + two.distance);
+        if ((x * x + y * y) + z * z < reach * reach) out.push_back(pair);
+      }
+    }
+  }
+  const auto created_of = [&](ClothId id) {
+    for (const ClothRecord* cloth : in.cloths) {
+      if (cloth->id == id) return cloth->created;
+    }
+    return uint64_t(0);
+  };
+  std::sort(out.begin(), out.end(), [&](const NearPair& a, const NearPair& b) {
+    if (!(a.cloth_a == b.cloth_a)) return created_of(a.cloth_a) < created_of(b.cloth_a);
+    if (a.vertex_a != b.vertex_a) return a.vertex_a < b.vertex_a;
+    if (!(a.cloth_b == b.cloth_b)) return created_of(a.cloth_b) < created_of(b.cloth_b);
+    return a.vertex_b < b.vertex_b;
+  });
+  return Status::ok;
+}
+
+template class ContactTables<float>;
+template class ContactTables<double>;
+
+}  // namespace weft::api

@@ -1,0 +1,268 @@
+// What near particles do to each other: contact.md's response in two gathers over the rows of the
+// list, all from the same positions (Jacobi). First each counts who touches it, then each adds up
+// its share of every pair, divided by the larger count of the two. So what one gets the other
+// gives, to the last bit but its own share's rounding, and a dense heap does not overshoot.
+//
+// Along the line of the two, n = (x_i - x_j)/|x_i - x_j|, the pair moves apart to its distance. Of
+// the displacements only the approach goes, so that an overlap gives no speed, and friction holds
+// what it can of the rest.
+#pragma once
+
+#include "base/atomic_words.h"
+#include "base/lanes.h"
+#include "kernels/particle_stages.h"
+
+namespace weft {
+namespace WEFT_BACKEND_NS {
+
+/// Whether colliders wait in this block for what other particles do to it.
+template <class T>
+WEFT_HD bool waits_for_contact(const Contacts<T>& c, int block) {
+  return c.every_block != 0 || c.row_width[block] > 0;
+}
+
+/// Whether any particle of the block is further than a skin from where the list expects it.
+template <class T, int N>
+WEFT_HD_COLD bool has_outrun(const Contacts<T>& c, Vec3Array<T> x, int end, int i0,
+                             Lanes<N> lanes) {
+  const Vec3Array<T> from = c.from, drift = c.drift;
+  const T age = c.age, skin2 = T(c.skin) * T(c.skin);
+  return lanes.any([=](int l) WEFT_LANE {
+    const Vec3<T> off = (load(x, i0 + l) - load(from, i0 + l)) - age * load(drift, i0 + l);
+    return (i0 + l < end) & (dot(off, off) > skin2);
+  });
+}
+
+/// A pair as particle i sees it.
+template <class T>
+struct Pair {
+  Vec3<T> apart;  ///< x_i - x_j
+  T distance;     ///< that they keep
+  bool asleep;    ///< the other's cloth
+};
+
+/// Pairs within one cloth: nothing is to be looked up.
+template <class T>
+struct OwnPairs {
+  Vec3Array<T> x;
+  T distance;
+
+  WEFT_HD Pair<T> operator()(int i, int j) const {
+    return {load(x, i) - load(x, j), distance, false};
+  }
+};
+/// And where another cloth is near, whose positions are relative to another origin.
+template <class T>
+struct ForeignPairs {
+  Simulation<T> sim;
+  Vec3Array<T> x;
+  int of_cloth;
+
+  WEFT_HD Pair<T> operator()(int i, int j) const {
+    const int other = sim.block.cloth[j / block_size];
+    const ContactCloth &a = sim.contacts.cloth[of_cloth], &b = sim.contacts.cloth[other];
+    const Vec3<T> between{T(a.origin[0] - b.origin[0]), T(a.origin[1] - b.origin[1]),
+                          T(a.origin[2] - b.origin[2])};
+    return {(load(x, i) - load(x, j)) + between, T(0.5 * (a.distance + b.distance)),
+            sim.activity[other].asleep != 0};
+  }
+};
+
+/// Calls work(pairs) with what is known of the pairs of a block.
+template <class T, class Work>
+WEFT_HD void with_pairs(const Simulation<T>& sim, Vec3Array<T> x, int block, Work work) {
+  const int of_cloth = sim.block.cloth[block];
+  if (sim.contacts.row_foreign[block] != 0) {
+    work(ForeignPairs<T>{sim, x, of_cloth});
+  } else {
+    work(OwnPairs<T>{x, T(sim.contacts.cloth[of_cloth].distance)});
+  }
+}
+
+/// Counts the partners that touch.
+template <class T>
+struct CountTouching {
+  Simulation<T> sim;
+  Vec3Array<T> x;
+
+  template <int N>
+  WEFT_HD void operator()(int block, int lane0, Lanes<N> lanes) const {
+    const Contacts<T>& c = sim.contacts;
+    const int width = c.row_width[block];
+    if (width == 0) return;
+    const int i0 = block * block_size + lane0;
+    int32_t count[N];
+    lanes.each([&](int l) WEFT_LANE { count[l] = 0; });
+    with_pairs(sim, x, block, [&](auto pairs) {
+      const int32_t* row = c.entry + c.row_start[block] + lane0;
+      for (int k = 0; k < width; ++k, row += block_size) {
+        lanes.each([&](int l) WEFT_LANE {
+          const int j = row[l];
+          const Pair<T> pair = pairs(i0 + l, j);
+          const bool touches = dot(pair.apart, pair.apart) < pair.distance * pair.distance;
+          count[l] += touches & (j != i0 + l) ? 1 : 0;
+        });
+      }
+    });
+    int32_t* touching = c.touching;
+    lanes.each([&](int l) WEFT_LANE { touching[i0 + l] = count[l]; });
+  }
+};
+
+/// Unit vector of two particles at one place, away from the one of higher rank.
+template <class T>
+WEFT_HD Vec3<T> direction_of_ranks(uint32_t a, uint32_t b) {
+  const uint32_t low = a < b ? a : b, high = a < b ? b : a;
+  const uint32_t mixed = (low * 0x9e3779b1u ^ high) * 0x85ebca6bu;
+  const uint32_t axis = (mixed >> 16) % 3u;
+  const T sign = ((mixed >> 9 & 1u) != 0) != (a < b) ? T(1) : T(-1);
+  return {axis == 0 ? sign : T(0), axis == 1 ? sign : T(0), axis == 2 ? sign : T(0)};
+}
+
+/// What the partners of each particle do to it, into memory of its own: the others still read its
+/// position.
+template <class T, bool Position>
+struct PushApart {
+  Simulation<T> sim;
+  ParticleBuffers<T> p;
+  T dt;
+
+  template <int N>
+  WEFT_HD void operator()(int block, int lane0, Lanes<N> lanes) const {
+    const Contacts<T>& c = sim.contacts;
+    if (c.row_width[block] == 0) return;
+    const int i0 = block * block_size + lane0;
+    const int32_t* touching = c.touching;
+    if (!lanes.any([&](int l) WEFT_LANE { return touching[i0 + l] > 0; })) {
+      const Vec3Array<T> push = c.push, brake = c.brake;
+      lanes.each([=](int l) WEFT_LANE {
+        store(push, i0 + l, Vec3<T>{T(0), T(0), T(0)});
+        store(brake, i0 + l, Vec3<T>{T(0), T(0), T(0)});
+      });
+      return;
+    }
+    with_pairs(sim, p.x_out, block, [&](auto pairs) { add_up(pairs, block, i0, lane0, lanes); });
+  }
+
+ private:
+  template <class Pairs, int N>
+  WEFT_HD void add_up(const Pairs& pairs, int block, int i0, int lane0, Lanes<N> lanes) const {
+    const Contacts<T>& c = sim.contacts;
+    const int of_cloth = sim.block.cloth[block], width = c.row_width[block];
+    const bool asleep = sim.activity[of_cloth].asleep != 0;
+    const T limit = T(c.cloth[of_cloth].wake_speed) * dt;
+    LaneVec3<T, N> push, brake;
+    int32_t wakes[N];
+    lanes.each([&](int l) WEFT_LANE {
+      push.set(l, {T(0), T(0), T(0)});
+      brake.set(l, {T(0), T(0), T(0)});
+      wakes[l] = 0;
+    });
+    const int32_t* row = c.entry + c.row_start[block] + lane0;
+    const int32_t* touching = c.touching;
+    const uint32_t* rank = c.rank;
+    const T* inverse_mass = sim.inverse_mass;
+    const T friction = c.friction;
+    const ParticleBuffers<T> buffers = p;
+    const T tiny = sizeof(T) == 4 ? T(1e-34) : T(1e-290);
+    for (int k = 0; k < width; ++k, row += block_size) {
+      lanes.each([&](int l) WEFT_LANE {
+        const int i = i0 + l, j = row[l];
+        const Pair<T> pair = pairs(i, j);
+        const T length2 = dot(pair.apart, pair.apart);
+        const bool touches = (length2 < pair.distance * pair.distance) & (j != i);
+        const T w_i = asleep ? T(0) : inverse_mass[i], w_j = pair.asleep ? T(0) : inverse_mass[j];
+        const T both = w_i + w_j;
+        const int32_t count = touching[i] > touching[j] ? touching[i] : touching[j];
+        const bool acts = touches & (both > T(0));
+        const T share = acts ? w_i / (both * T(count > 0 ? count : 1)) : T(0);
+        const bool together = !(length2 > tiny);
+        const T length = together ? T(0) : square_root(length2);
+        const Vec3<T> n = select(together, direction_of_ranks<T>(rank[i], rank[j]),
+                                 (T(1) / (together ? T(1) : length)) * pair.apart);
+        const Vec3<T> d_j = went(buffers, j), slip = went(buffers, i) - d_j;
+        const T across = dot(slip, n), against = larger(T(0), -across);
+        const Vec3<T> sliding = slip - across * n;
+        const T most = friction * against, sliding2 = dot(sliding, sliding);
+        const T held = sliding2 > most * most ? most / square_root(sliding2) : T(1);
+        const Vec3<T> drag = (most > T(0) ? -held : T(0)) * sliding;
+        const Vec3<T> none{T(0), T(0), T(0)};
+        push.set(l, push.get(l) +
+                        select(acts, share * ((pair.distance - length) * n + drag), none));
+        brake.set(l, brake.get(l) + select(acts, share * (against * n + drag), none));
+        wakes[l] |= touches & !pair.asleep & (dot(d_j, d_j) > limit * limit) ? 1 : 0;
+      });
+    }
+    const Vec3Array<T> push_out = c.push, brake_out = c.brake;
+    lanes.each([&](int l) WEFT_LANE {
+      store(push_out, i0 + l, push.get(l));
+      store(brake_out, i0 + l, brake.get(l));
+    });
+    if (asleep && lanes.any([&](int l) WEFT_LANE { return wakes[l] != 0; })) {
+      atomic_most(c.woken + of_cloth, 1ull);
+    }
+  }
+
+  /// Displacement of this substep so far.
+  WEFT_HD static Vec3<T> went(const ParticleBuffers<T>& p, int i) {
+    if constexpr (Position) {
+      return load(p.x_out, i) - load(p.x_in, i);
+    } else {
+      return load(p.d_out, i);
+    }
+  }
+};
+
+/// Moves the particles by it. In the position form the displacement follows from the positions:
+/// what must not become speed waits until the colliders have spoken (KeepDisplacement), in the
+/// place of the brake, and the position in that of the push.
+template <class T, bool Position>
+struct ApplyPushes {
+  Simulation<T> sim;
+  ParticleBuffers<T> p;
+
+  template <int N>
+  WEFT_HD void operator()(int block, int lane0, Lanes<N> lanes) const {
+    const Contacts<T>& c = sim.contacts;
+    if (c.row_width[block] == 0 || sim.activity[sim.block.cloth[block]].asleep) return;
+    const int i0 = block * block_size + lane0;
+    const ParticleBuffers<T> buffers = p;
+    const Vec3Array<T> pushes = c.push, brakes = c.brake;
+    lanes.each([=](int l) WEFT_LANE {
+      const Vec3<T> push = load(pushes, i0 + l), brake = load(brakes, i0 + l);
+      const Vec3<T> to = load(buffers.x_out, i0 + l) + push;
+      store(buffers.x_out, i0 + l, to);
+      if constexpr (Position) {
+        store(pushes, i0 + l, to);
+        store(brakes, i0 + l, push - brake);
+      } else {
+        store(buffers.d_out, i0 + l, load(buffers.d_out, i0 + l) + brake);
+      }
+    });
+  }
+};
+
+/// The position form's previous position, where no collider has moved the particle since.
+template <class T>
+struct KeepDisplacement {
+  Simulation<T> sim;
+  ParticleBuffers<T> p;
+
+  template <int N>
+  WEFT_HD void operator()(int block, int lane0, Lanes<N> lanes) const {
+    const Contacts<T>& c = sim.contacts;
+    if (c.row_width[block] == 0 || sim.activity[sim.block.cloth[block]].asleep) return;
+    const int i0 = block * block_size + lane0;
+    const ParticleBuffers<T> buffers = p;
+    const Vec3Array<T> pushed = c.push, overlap = c.brake;
+    lanes.each([=](int l) WEFT_LANE {
+      const Vec3<T> x = load(buffers.x_out, i0 + l), to = load(pushed, i0 + l);
+      const bool same = (x.x == to.x) & (x.y == to.y) & (x.z == to.z);
+      const Vec3<T> before = load(buffers.x_in, i0 + l);
+      store(buffers.x_in, i0 + l, select(same, before + load(overlap, i0 + l), before));
+    });
+  }
+};
+
+}  // namespace WEFT_BACKEND_NS
+}  // namespace weft

@@ -1,0 +1,131 @@
+// Contact of particles with each other: which cells they lie in, which pairs are near, and how far
+// the near ones push each other.
+//
+// All cloths of a world are searched together. Cells and distances are of the world; positions
+// stay local to their cloths.
+#pragma once
+
+#include "base/view.h"
+#include "state/counts.h"
+
+namespace weft {
+
+enum class Search : int32_t { none, complete, staggered };
+constexpr int most_grids = 64;
+
+/// What a cloth has to do with contact.
+struct ContactCloth {
+  double origin[3];   ///< m: of its local positions
+  double distance;    ///< m
+  double wake_speed;  ///< m/s: asleep, what touches it faster than this wakes it
+  uint32_t layers;
+  int32_t itself, others;  ///< 1: its particles meet each other, those of other cloths
+};
+
+/// Of a block: bounds of the positions (world), and of the displacements.
+struct ContactBox {
+  double low[3], high[3], slowest[3], fastest[3];
+};
+
+/// Scalars of the search that live on the device: one element.
+struct ContactState {
+  double low[3];           ///< m: where cell 0 begins
+  double inverse_cell[3];  ///< 1/m
+  uint32_t mask[3];        ///< of the cell's number along an axis, before
+  int32_t shift[3];        ///< it is put into the key
+  double slack;            ///< m: what rounding may make of a distance
+  int32_t horizon;         ///< substeps that the list is made for; 0: of these positions alone
+  int32_t limit;           ///< most substeps that a list is tried for
+  int32_t wait, backoff;   ///< substeps without a list that outlives them, and the next such time
+  unsigned long long outrun;  ///< 1: a particle is not where its list expects it
+  unsigned long long used;    ///< entries of the list that were wanted
+  unsigned long long lists;   ///< made so far
+};
+
+/// How a list is made: of the pairs that are near now, or that may be within `horizon` substeps.
+/// With a skin every pair that is nearer than its distance and the skins of both while each
+/// particle goes on by its `drift`. Who is further than a skin from there has outrun the list.
+template <class T>
+struct Contacts {
+  ContactState* state;  ///< null: no cloth meets another, or itself
+  Search search;
+  int32_t grids, window;
+  double cell;             ///< m: of Search::staggered
+  double shift[3];         ///< m: of its grid at hand
+  int32_t diagonal;        ///< its shifts go along (1,1,1)
+  double skin;             ///< m: of each particle; 0: the list is of these positions alone
+  double most_distance;    ///< m: of all cloths
+  T friction;              ///< coefficient of Coulomb friction
+  int32_t with_excluded;   ///< 1: pairs whose rest distance is too short are listed too
+  int32_t every_block;     ///< 1: colliders wait for contact in every block, not the listed alone
+  T age;                   ///< substeps since the list was made, the one at hand included
+  const ContactCloth* cloth;
+  const uint32_t* rank;    ///< by particle: in the caller's order, over all cloths
+  const double* rest;      ///< rest positions: x, y, z by turns
+  unsigned long long* woken;  ///< by cloth: 1 when something fast touches the sleeper
+
+  // The search. Sorted arrays have a block more than there are particles.
+  ContactBox* box;           ///< by block
+  int32_t key_bits;          ///< of a key; the largest one stands for padding
+  int32_t entries_a_grid;    ///< of the sorted arrays of a grid
+  uint32_t *key, *element;   ///< sorted; of every grid
+  uint32_t *other_key, *other_element;  ///< room for the sort
+  uint32_t* place;           ///< Search::staggered: where an element is in the order of every grid
+  uint32_t* cell_start;      ///< by key, and one more
+  Vec3Array<T> spot, drift_of_spot;  ///< sorted: position from state->low, displacement
+  T* radius_of_spot;         ///< m: half the distance, and the skin
+  int32_t* cloth_of_spot;
+
+  // The list: rows of 32 particles, as wide as the longest, filled up with the particle itself.
+  int64_t* row_start;        ///< by block: first entry
+  int32_t* row_width;        ///< by block; 0: nothing near
+  int32_t* row_foreign;      ///< by block: 1 where another cloth is near
+  int32_t* entry;            ///< by ascending rank; memory of its own
+  int64_t capacity;          ///< entries that it has room for
+  Vec3Array<T> from, drift;  ///< where each particle was, and went in a substep, at that time
+
+  Vec3Array<T> start_x, start_d;  ///< before a frame, for one that cannot be finished
+
+  // Response.
+  int32_t* touching;         ///< by particle: partners
+  Vec3Array<T> push, brake;  ///< what is added to the position, to the displacement
+
+  template <class Arrays>
+  constexpr void arrays(Arrays& array, const Counts& n) {
+    const int64_t particles = n.contact_grids > 0 ? n.particles : 0, blocks = particles / block_size;
+    const bool lists = n.contact_grids > 0 && !n.staggered;
+    const int64_t sorted = particles > 0 ? particles + block_size : 0;
+    array(state, particles > 0 ? 1 : 0);
+    array(cloth, particles > 0 ? n.cloths : 0);
+    array(rank, particles);
+    array(rest, 3 * particles);
+    array(woken, particles > 0 ? n.cloths : 0);
+    array(box, blocks);
+    array.number(key_bits, n.key_bits);
+    array.number(entries_a_grid, sorted);
+    array(key, n.contact_grids * sorted);
+    array(element, n.contact_grids * sorted);
+    array(other_key, lists ? sorted : n.contact_grids * sorted);
+    array(other_element, lists ? sorted : n.contact_grids * sorted);
+    array(place, n.staggered ? n.contact_grids * sorted : 0);
+    array(cell_start, lists ? (int64_t(1) << n.key_bits) + 2 : 0);
+    array(spot, sorted);
+    array(drift_of_spot, lists ? sorted : 0);
+    array(radius_of_spot, sorted);
+    array(cloth_of_spot, lists ? sorted : 0);
+    array(row_start, blocks);
+    array(row_width, blocks);
+    array(row_foreign, blocks);
+    array(from, lists ? particles : 0);
+    array(drift, lists ? particles : 0);
+    array(start_x, particles);
+    array(start_d, particles);
+    array(touching, particles);
+    array(push, particles);
+    array(brake, particles);
+    array.later(search, grids, window, cell, shift, diagonal, skin, most_distance, friction,
+                with_excluded, every_block, age, entry, capacity);
+  }
+};
+
+}  // namespace weft

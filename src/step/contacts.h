@@ -1,0 +1,194 @@
+// The order of self-collision within a substep.
+//
+//   substep with a list:     advance (who is not where the list expects it?)
+//                            count | push | apply | colliders, in the blocks of the list
+//   making a list:           bounds, cells | keys | sort | cells' ranges | rows
+//   substep without:         advance, all colliders wait | list of the new positions |
+//                            count | push | apply | colliders, in every block
+//
+// A list is made of the positions at the start of a substep and holds for as long as every particle
+// goes on as expected. When one has not, a list is made of the same start and the substep repeated;
+// if even that one fails, as in an explosion, the substep is made without. A step's bits do not
+// depend on which of these ways it has gone.
+#pragma once
+
+#include "kernels/collide_pass.h"
+#include "kernels/staggered_pairs.h"
+#include "kernels/touch.h"
+
+namespace weft {
+namespace WEFT_BACKEND_NS {
+
+/// Lists the pairs near each other at `x`; `lasting`: for some substeps from p.x_in on.
+template <bool Position, class T, class Team>
+void list_complete(const Team& team, const Simulation<T>& sim, const ParticleBuffers<T>& p,
+                   Vec3Array<T> x, bool lasting) {
+  const Contacts<T>& c = sim.contacts;
+  team.for_each_block(sim.blocks, ContactBounds<T, Position>{sim, p, x});
+  team.meet();
+  team.for_each_block(1, PlanCells<T>{c, sim.blocks, lasting});
+  team.meet();
+  team.for_each_block(sim.blocks, CellKeys<T>{sim, x});
+  team.meet();
+  team.sort_few_bits(c.key, c.element, c.other_key, c.other_element, sim.blocks * block_size,
+                     c.key_bits + 1);
+  team.meet();
+  team.for_each_block(sim.blocks, SortedCells<T, Position>{sim, p, x});
+  team.meet();
+  using Finder = CompleteFinder<T, Position>;
+  team.for_each_block(sim.blocks, WriteRows<T, Finder>{sim, Finder{p, x}});
+  team.meet();
+}
+
+template <class T, class Team>
+void list_staggered(const Team& team, const Simulation<T>& sim, Vec3Array<T> x) {
+  const Contacts<T>& c = sim.contacts;
+  team.for_each_block(1, PlanCells<T>{c, 0, false});
+  team.for_each_block(sim.blocks, StaggeredKeys<T>{sim, x});
+  team.meet();
+  for (int g = 0; g < c.grids; ++g) {
+    const int64_t first = int64_t(g) * c.entries_a_grid;
+    team.sort_by_key(c.key + first, c.element + first, sim.blocks * block_size, g);
+  }
+  team.meet();
+  team.for_each_block(sim.blocks, StaggeredPlaces<T>{c});
+  team.meet();
+  using Finder = StaggeredFinder<T>;
+  team.for_each_block(sim.blocks, WriteRows<T, Finder>{sim, Finder{x, sim.blocks * block_size}});
+  team.meet();
+}
+
+template <class T, class Team>
+void list_pairs(const Team& team, const Simulation<T>& sim, const ParticleBuffers<T>& p,
+                Vec3Array<T> x, bool position_form, bool lasting) {
+  if (sim.contacts.search == Search::staggered) {
+    list_staggered(team, sim, x);
+  } else if (position_form) {
+    list_complete<true>(team, sim, p, x, lasting);
+  } else {
+    list_complete<false>(team, sim, p, x, lasting);
+  }
+  team.lap(Lap::contacts);
+}
+
+template <bool Position, class T, class Team>
+void push_apart(const Team& team, const Simulation<T>& sim, const ParticleBuffers<T>& p,
+                const StepParams<T>& step) {
+  team.for_each_block(sim.blocks, CountTouching<T>{sim, p.x_out});
+  team.meet();
+  team.for_each_block(sim.blocks, PushApart<T, Position>{sim, p, step.dt});
+  team.meet();
+  team.for_each_block(sim.blocks, ApplyPushes<T, Position>{sim, p});
+  team.lap(Lap::contacts);
+}
+
+/// From the forces to the pins, but for what waits for contact.
+template <class T, class Team>
+void advance_before_contact(const Team&, const Simulation<T>&, const ParticleBuffers<T>&,
+                            const StepParams<T>&);
+
+/// Contact, and what has waited for it. `keeps`: in the position form the previous positions are
+/// changed, so that no overlap becomes speed.
+template <class T, class Team>
+void respond_to_contact(const Team& team, const Simulation<T>& sim, const ParticleBuffers<T>& p,
+                        const StepParams<T>& step, bool keeps = true) {
+  if (step.position_form) {
+    push_apart<true>(team, sim, p, step);
+  } else {
+    push_apart<false>(team, sim, p, step);
+  }
+  if (sim.reach != nullptr) {
+    Simulation<T> later = sim;
+    later.places_pins = false;  // they are where they belong
+    if constexpr (Team::fuses) {
+      team.for_each_block(sim.blocks, CollidePass<T, Meets::all>{{later, p, step}});
+    } else {
+      team.meet();
+      team.for_each_block(sim.blocks, CollidePass<T, Meets::shapes>{{later, p, step}});
+      if (sim.near_memory != nullptr) {
+        team.meet();
+        team.for_each_block(sim.blocks, CollidePass<T, Meets::meshes>{{later, p, step}});
+      }
+    }
+  }
+  if (step.position_form && keeps) team.for_each_block(sim.blocks, KeepDisplacement<T>{sim, p});
+  team.meet();
+  team.lap(Lap::advance);
+}
+
+/// How old the list is, as every thread of a team counts for itself.
+struct ListAge {
+  int substeps = -1;  ///< -1: there is none
+};
+
+/// Whether the list has room for all that it was made to hold.
+template <class T>
+bool fits(const Contacts<T>& c) {
+  return c.state->used <= static_cast<unsigned long long>(c.capacity);
+}
+
+/// Tries a substep with a list. False: a particle has outrun it, or there was no room for it.
+template <class T, class Team>
+bool substep_with_list(const Team& team, Simulation<T>& sim, const ParticleBuffers<T>& p,
+                       const StepParams<T>& step, ListAge& age) {
+  Contacts<T>& c = sim.contacts;
+  for (;;) {
+    const bool makes = age.substeps < 0 || age.substeps >= c.state->horizon;
+    if (makes) {
+      list_pairs(team, sim, p, p.x_in, step.position_form, true);
+      age.substeps = 0;
+      if (c.state->horizon == 0 || !fits(c)) return false;
+    }
+    ++age.substeps;
+    c.age = T(age.substeps);
+    c.every_block = Team::fuses ? 0 : 1;
+    advance_before_contact(team, sim, p, step);
+    const bool outrun = c.state->outrun != 0;
+    if (!outrun) break;
+    team.meet();  // all have seen it
+    if (team.leads()) {
+      c.state->outrun = 0;
+      c.state->limit = age.substeps > 1 ? age.substeps - 1 : 1;
+    }
+    team.meet();
+    if (age.substeps == 1) return false;
+    age.substeps = -1;
+  }
+  respond_to_contact(team, sim, p, step);
+  if (age.substeps == c.state->horizon && team.leads()) {
+    c.state->limit = 2 * c.state->limit < 4096 ? 2 * c.state->limit : 4096;
+    c.state->backoff = 1;
+  }
+  return true;
+}
+
+/// A substep of every cloth with contact. False: nothing has happened, the list needs more room.
+template <class T, class Team>
+bool substep_with_contact(const Team& team, Simulation<T>& sim, const ParticleBuffers<T>& p,
+                          const StepParams<T>& step, ListAge& age) {
+  Contacts<T>& c = sim.contacts;
+  if (c.search == Search::complete && c.skin > 0.0 && c.state->wait == 0) {
+    if (substep_with_list(team, sim, p, step, age)) return true;
+    const bool full = !fits(c);
+    const bool planned = c.state->wait > 0;
+    team.meet();
+    age.substeps = -1;
+    if (full) return false;
+    if (!planned && team.leads()) {
+      c.state->wait = c.state->backoff;
+      c.state->backoff = 2 * c.state->backoff < 64 ? 2 * c.state->backoff : 64;
+    }
+  }
+  c.age = T(0);
+  c.every_block = 1;
+  advance_before_contact(team, sim, p, step);
+  list_pairs(team, sim, p, p.x_out, step.position_form, false);
+  if (!fits(c)) return false;
+  respond_to_contact(team, sim, p, step);
+  if (team.leads() && c.state->wait > 0) --c.state->wait;
+  team.meet();
+  return true;
+}
+
+}  // namespace WEFT_BACKEND_NS
+}  // namespace weft

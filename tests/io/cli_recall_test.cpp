@@ -103,7 +103,14 @@ TEST(CliRecall, PrintsLinesForPeople) {
       folder.write("s.json", cloud_scene(300, {{"method", "complete"}, {"distance", 0.1}}).dump()));
   EXPECT_EQ(outcome.code, 0);
   EXPECT_CONTAINS(outcome.out, "method");
-  EXPECT_CONTAINS(outcome.out, "recall      100 %\n");
+  EXPECT_CONTAINS(outcome.out, "recall     100 %\n");
+}
+
+TEST(CliRecall, OfAnAbsentBackendIsExitCode4) {
+  const TemporaryFolder folder;
+  const Json scene = cloud_scene(3, {{"method", "complete"}, {"distance", 0.1}});
+  const std::string file = folder.write("s.json", scene.dump());
+  expect_failure(run_weft("recall --backend hip " + file), 4, "hip");
 }
 
 TEST(CliRecall, RefusesASceneThatSearchesNothing) {
@@ -113,7 +120,7 @@ TEST(CliRecall, RefusesASceneThatSearchesNothing) {
   expect_failure(run_weft("recall --json " + scene), 2, "$.self_collision: null");
   expect_failure(run_weft("recall"), 2, "SCENE is required");
   expect_failure(run_weft("recall --time 1 " + scene), 2, "--time");
-  expect_failure(run_weft("recall --backend hip " + scene), 4, "hip");
+  expect_failure(run_weft("recall --threads 0 " + scene), 2, "--threads");
   expect_failure(run_weft("recall missing.json"), 2, "missing.json");
 }
 

@@ -7,6 +7,7 @@
 #include "bench/forces.h"
 #include "bench/gpu.h"
 #include "bench/grid.h"
+#include "bench/grid_build.h"
 #include "bench/mesh.h"
 
 namespace weft::bench {
@@ -27,6 +28,8 @@ const std::vector<Table>& tables() {
        run_effects},
       {"gpu", "a frame of 16 substeps on the GPU: sizes, precisions, many cloths, effects",
        run_gpu},
+      {"grid_build", "the cells of self-collision, one thread: keys, order and ranges",
+       run_grid_build},
       {"mesh", "gather over meshes per directed spring, against the grid's", run_mesh},
       {"forces", "gather against scatter: memory, parts of a step, meshes, layouts and sums",
        run_forces},

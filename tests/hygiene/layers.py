@@ -34,7 +34,7 @@ MAY_INCLUDE = {
     "src/io": [],
     "src/render": ["src/io"],
     "tools": ["src/io", "src/render", "bench"],
-    "bench": ["src/io", "tools", "samples/effects"],
+    "bench": ["src/io", "tools", "samples/effects", "src/omp/sort.h"],
     "samples/effects": [],
     "samples": ["src/io"],
 }

@@ -1,6 +1,8 @@
 // "colliders", "wind", "self_collision", and what is not available yet.
 #include "scene_support.h"
 
+#include "io/build.h"
+
 namespace weft::io::test {
 namespace {
 
@@ -52,6 +54,9 @@ TEST(SceneSurroundings, RefusesBadColliders) {
        {"/colliders/0/cone", "{}", "$.colliders[0].cone", "unknown key"},
        {"/colliders/0/friction", "-1", "$.colliders[0].friction", "-1 is out of range"},
        {"/colliders/0/velocity", "1", "$.colliders[0].velocity", "1 has the wrong type"},
+       {"/colliders/0/layers", "-1", "$.colliders[0].layers", "-1 is out of range"},
+       {"/colliders/0/layers", "4294967296", "$.colliders[0].layers", "4294967296 is out of range"},
+       {"/colliders/0/layers", "[1]", "$.colliders[0].layers", "has the wrong type"},
        {"/colliders/1/plane/normal", "[0,0,0]", "$.colliders[1].plane.normal", "no direction"},
        {"/colliders/1/plane/offset", "", "$.colliders[1].plane.offset", "is missing"}});
 }
@@ -87,6 +92,53 @@ TEST(SceneSurroundings, RefusesBadWind) {
                   {"/wind/speed", "1", "$.wind.speed", "unknown key"}});
 }
 
+TEST(SceneSurroundings, EveryShapeBringsItsLayers) {
+  const TemporaryFolder folder;
+  folder.write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  const Json json = with("colliders", R"([
+    { "sphere": { "center": [0,0,0], "radius": 1 }, "layers": 1 },
+    { "plane": { "normal": [0,1,0], "offset": 0 }, "layers": 0 },
+    { "cylinder": { "a": [0,0,0], "b": [0,2,0], "radius": 0.5 }, "layers": 6 },
+    { "capsule": { "a": [0,0,0], "b": [0,2,0], "radius": 0.5 }, "layers": 4294967295 },
+    { "box": { "center": [0,1,0], "half": [1,2,3] }, "layers": 2147483648 },
+    { "mesh": { "file": "a.obj" }, "layers": 9 },
+    { "sphere": { "center": [0,0,0], "radius": 1 } } ])");
+  const Scene scene = read_scene(folder.write("s.json", json.dump()));
+  const uint32_t expected[] = {1, 0, 6, 4294967295u, 2147483648u, 9, 4294967295u};
+  for (size_t i = 0; i < std::size(expected); ++i) {
+    EXPECT_EQ(std::visit([](const auto& c) { return c.layers; }, scene.colliders[i]), expected[i]);
+  }
+}
+
+TEST(SceneSurroundings, ReadsSelfCollision) {
+  EXPECT_FALSE(read_json(scene_of(grid_cloth())).self_collision);
+  EXPECT_FALSE(read_json(with("self_collision", "null")).self_collision);
+  const SelfCollisionDesc plain =
+      self_collision_desc(*read_json(with("self_collision", "{}")).self_collision);
+  EXPECT_EQ(plain.search, PairSearch::staggered);
+  EXPECT_EQ(plain.distance, 0.01);
+  EXPECT_EQ(plain.friction, 0);
+  EXPECT_EQ(plain.cell, 0.02);
+  EXPECT_EQ(plain.grids, 8u);
+  EXPECT_EQ(plain.shifts, GridShifts::corner);
+  EXPECT_EQ(plain.window, 0u);
+  EXPECT_LT(plain.skin, 0);
+  const SelfCollisionDesc full = self_collision_desc(
+      *read_json(with("self_collision", R"({"method": "complete", "distance": 0.5, "friction": 0.25,
+        "cell": 0.125, "grids": 7, "shifts": "diagonal", "window": 3, "skin": 0})"))
+           .self_collision);
+  EXPECT_EQ(full.search, PairSearch::complete);
+  EXPECT_EQ(full.distance, 0.5);
+  EXPECT_EQ(full.friction, 0.25);
+  EXPECT_EQ(full.cell, 0.125);
+  EXPECT_EQ(full.grids, 7u);
+  EXPECT_EQ(full.shifts, GridShifts::diagonal);
+  EXPECT_EQ(full.window, 3u);
+  EXPECT_EQ(full.skin, 0);
+  const auto nulls = read_json(with("self_collision", R"({"window": null, "skin": null})"));
+  EXPECT_EQ(self_collision_desc(*nulls.self_collision).window, 0u);
+}
+
 struct Refusal {
   const char *key, *value, *message;
 };
@@ -106,20 +158,27 @@ TEST(SceneSurroundings, WhatIsNotAvailableIsNamed) {
        {"solver", R"({"integrator": "implicit_euler"})", "not available in this version"},
        {"solver", R"({"integrator": "implicit_midpoint"})", "not available in this version"},
        {"solver", R"({"integrator": "xpbd"})", "not available in this version"},
-       {"solver", R"({"energy_guard": true})", "$.solver.energy_guard: true is not available"},
-       {"self_collision", "{}",
-        "$.self_collision: self-collision is not available in this version"}});
+       {"solver", R"({"energy_guard": true})", "$.solver.energy_guard: true is not available"}});
 }
 
-TEST(SceneSurroundings, GarbageIsNamedBeforeWhatIsNotAvailable) {
+TEST(SceneSurroundings, GarbageIsNamed) {
   expect_messages(
       {{"self_collision", "[]", "$.self_collision: an array of 0"},
+       {"self_collision", "true", "$.self_collision: true has the wrong type"},
+       {"self_collision", R"({"distence": 1})", "$.self_collision.distence: unknown key"},
        {"self_collision", R"({"method": "all"})", "$.self_collision.method: \"all\""},
        {"self_collision", R"({"distance": 0})", "$.self_collision.distance: 0 is out"},
        {"self_collision", R"({"cell": -1})", "$.self_collision.cell: -1 is out"},
        {"self_collision", R"({"grids": 3})", "$.self_collision.grids: 3 is out"},
        {"self_collision", R"({"grids": 0, "shifts": "diagonal"})", "$.self_collision.grids: 0"},
-       {"self_collision", R"({"grids": 3, "shifts": "diagonal"})", "not available"},
+       {"self_collision", R"({"grids": 65, "shifts": "diagonal"})", "$.self_collision.grids: 65"},
+       {"self_collision", R"({"grids": 2.5})", "$.self_collision.grids: 2.5 has the wrong type"},
+       {"self_collision", R"({"distance": -0.1})", "$.self_collision.distance: -0.1 is out"},
+       {"self_collision", R"({"distance": null})", "$.self_collision.distance: null has the wrong"},
+       {"self_collision", R"({"cell": 0})", "$.self_collision.cell: 0 is out"},
+       {"self_collision", R"({"friction": -1})", "$.self_collision.friction: -1 is out"},
+       {"self_collision", R"({"skin": -0.5})", "$.self_collision.skin: -0.5 is out"},
+       {"self_collision", R"({"window": -3})", "$.self_collision.window: -3 is out"},
        {"self_collision", R"({"shifts": "x"})", "$.self_collision.shifts: \"x\""},
        {"self_collision", R"({"window": 0})", "$.self_collision.window: 0 is out"},
        {"colliders", R"([{"cylinder": {"a": [0,0,0], "b": [0,0,0], "radius": 1}}])",

@@ -120,6 +120,10 @@ static void outputs_and_time(weft_context* context) {
   weft_double3 out[4];
   weft_float3 near_out[4];
   weft_pass passes[2];
+  weft_self_collision_desc self = weft_default_self_collision();
+  weft_contact_counts contacts;
+  weft_near_pair pairs[2];
+  uint32_t pair_count = 9;
   weft_debug_draw draw = weft_default_debug_draw();
   uint32_t substeps = 0, pass_count = 0, particles[4];
   int lines = 0;
@@ -178,6 +182,19 @@ static void outputs_and_time(weft_context* context) {
   must(weft_set_skinned_targets(world, cloth, points), "skinned targets");
   must(weft_set_wind(world, &wind), "wind");
   must(weft_clear_wind(world), "clear wind");
+  hold(plane.layers == UINT32_MAX && box.layers == UINT32_MAX && placed.layers == UINT32_MAX &&
+           cloth_desc.settings.collision_layers == UINT32_MAX &&
+           cloth_desc.settings.collides_itself == 1 && cloth_desc.settings.collides_others == 1,
+       "all layers");
+  must_be(weft_near_pairs(world, false, NULL, 0, &pair_count), WEFT_INVALID_ARGUMENT, "no search");
+  must(weft_set_self_collision(world, &self), "self-collision");
+  must(weft_contacts(world, &contacts), "contacts");
+  hold(contacts.excluded == 0, "at rest nobody is that near");
+  must(weft_near_pairs(world, false, pairs, 2, &pair_count), "near pairs");
+  hold(pair_count == contacts.touching, "near pairs");
+  self.distance = 0;
+  must_be(weft_set_self_collision(world, &self), WEFT_INVALID_ARGUMENT, "no distance");
+  must(weft_clear_self_collision(world), "clear self-collision");
   must(weft_set_gravity(world, target), "gravity");
   must(weft_set_forces(world, cloth, &force, 1), "forces");
   must(weft_move_pins(world, cloth, &first, 1, targets), "move pins");

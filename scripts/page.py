@@ -1,4 +1,4 @@
-"""What the pages that scripts make of `weft bench NAME --json` have in common: rows, tables, plots."""
+"""What the pages made of `weft bench NAME --json` have in common: rows, tables, plots."""
 
 import json
 import re

@@ -156,10 +156,37 @@ TEST(Recall, OfTheCompleteSearchIsOneInLargePlaces) {
     points.push_back(p);
     points.push_back({p.x + 1.5e-3 * random.uniform(), p.y, p.z});
   }
-  const Recall recall = recall_of(points, complete(1e-3), Precision::float64);
-  EXPECT_GT(recall.pairs_true, 1000u);
-  EXPECT_EQ(recall.pairs_found, recall.pairs_true);
-  EXPECT_EQ(recall.pairs_wrong, 0u);
+  // Floats are there 1/16 m apart: some of the pairs coincide, the others part.
+  for (const Precision precision : {Precision::float32, Precision::float64}) {
+    const Recall recall = recall_of(points, complete(1e-3), precision);
+    EXPECT_GT(recall.pairs_true, 1000u);
+    EXPECT_EQ(recall.pairs_found, recall.pairs_true);
+    EXPECT_EQ(recall.pairs_wrong, 0u);
+  }
+}
+
+// Whether two points of such a lattice are nearer is a matter of the last bit.
+TEST(Recall, OfPairsAtTheDistanceItselfIsOne) {
+  for (const Precision precision : {Precision::float32, Precision::float64}) {
+    for (const double spacing : {0.1, 0.3, 1.0 / 3}) {
+      for (const double shift : {0.0, -17.3}) {
+        std::vector<double3> lattice;
+        for (int i = 0; i < 1000; ++i) {
+          lattice.push_back(
+              {i % 10 * spacing + shift, i / 10 % 10 * spacing + shift, i / 100 * spacing + shift});
+        }
+        for (const double square : {1.0, 2.0, 3.0, 4.0}) {
+          const double r = std::sqrt(square) * spacing;
+          for (const SelfCollisionDesc& search :
+               {complete(r), staggered(r, 2.000001 * r, 8, GridShifts::corner)}) {
+            const Recall recall = recall_of(lattice, search, precision);
+            EXPECT_EQ(recall.pairs_found, recall.pairs_true) << spacing << ' ' << square;
+            EXPECT_EQ(recall.pairs_wrong, 0u) << spacing << ' ' << square;
+          }
+        }
+      }
+    }
+  }
 }
 
 TEST(Recall, OfStaggeredGridsAtManyPlacesIsThePredictedOne) {

@@ -1,7 +1,7 @@
 #include "bench/collide.h"
 
 #include <algorithm>
-#include <cmath>
+#include <cstdio>
 
 #include "bench/collide_run.h"
 #include "bench/collide_sets.h"
@@ -36,11 +36,16 @@ struct Grids {
   uint32_t count;
   GridShifts shifts;
 };
-constexpr Grids all_grids[] = {{1, GridShifts::corner},
-                               {2, GridShifts::corner},
-                               {4, GridShifts::corner},
-                               {8, GridShifts::corner},
-                               {4, GridShifts::diagonal}};
+const std::vector<Grids> all_grids = {{1, GridShifts::corner},
+                                      {2, GridShifts::corner},
+                                      {4, GridShifts::corner},
+                                      {8, GridShifts::corner},
+                                      {4, GridShifts::diagonal}};
+struct Sweep {
+  std::vector<double> cells;  ///< in distances
+  std::vector<uint32_t> windows;
+  std::vector<Grids> grids;
+};
 
 SelfCollisionDesc complete(double distance) {
   SelfCollisionDesc desc;
@@ -88,8 +93,7 @@ void append_search(const Set& set, const SelfCollisionDesc& desc, std::vector<Ro
   }
 }
 
-void append_set(const Set& set, const std::vector<double>& cells,
-                const std::vector<uint32_t>& windows, std::ostream& progress,
+void append_set(const Set& set, const Sweep& sweep, std::ostream& progress,
                 std::vector<Row>& rows) {
   const io::MeetingCloth cloth{set.points, set.distance, true, true, ~0u};
   const auto pairs = double(io::count_near_pairs({cloth}));
@@ -98,11 +102,15 @@ void append_set(const Set& set, const std::vector<double>& cells,
   Set once = set;
   once.places = std::min(set.places, 3);
   append_search(once, complete(set.distance), rows);
-  for (const double h : cells) {
+  for (const double h : sweep.cells) {
+    char name[128];
+    std::snprintf(name, sizeof name, "%s: h = %g r", set.name.c_str(), h);
+    rows.push_back(
+        row_of(name, "points_per_cell", "1", {points_per_cell(set.points, h * set.distance)}));
     progress << "collide: " << set.name << ", cells of " << h << " r\n";
-    for (const Grids grids : all_grids) {
+    for (const Grids grids : sweep.grids) {
       append_search(set, staggered(set.distance, h, grids, 0), rows);
-      for (const uint32_t window : windows) {
+      for (const uint32_t window : sweep.windows) {
         append_search(once, staggered(set.distance, h, grids, window), rows);
       }
     }
@@ -112,26 +120,22 @@ void append_set(const Set& set, const std::vector<double>& cells,
 }  // namespace
 
 std::vector<Row> run_collide(bool quick, std::ostream& progress) {
-  constexpr double spacing = 1.0 / 127;
-  const std::vector<uint32_t> windows =
-      quick ? std::vector<uint32_t>{4} : std::vector<uint32_t>{16, 8, 4, 2, 1};
-  const std::vector<double> cells = quick ? std::vector<double>{2} : std::vector<double>{1, 2, 4};
-  const int places = quick ? 2 : 32, few = quick ? 1 : 8;
+  constexpr double r = 0.036840315, spacing = 1.0 / 127;
+  const std::vector<double3> uniform = uniform_points(20000, 42);
+  const std::vector<double3> crumpled = crumpled_sheet(128, 14, 0.004, 7);
+  const Sweep all{{1, 2, 4}, {16, 8, 4, 2, 1}, all_grids}, less{{2}, {4}, all_grids};
   std::vector<Row> rows;
-  const double r = 0.036840315;
-  append_set({"uniform", uniform_points(20000, 42), r, places}, cells, windows, progress, rows);
-  append_set({"crumpled, r = spacing", crumpled_sheet(128, 14, 0.004, 7), spacing, few}, cells,
-             windows, progress, rows);
+  append_set({"uniform", uniform, r, quick ? 2 : 32}, quick ? less : all, progress, rows);
+  append_set({"crumpled, r = spacing", crumpled, spacing, quick ? 1 : 4}, quick ? less : all,
+             progress, rows);
   if (!quick) {
-    for (const uint32_t count : {5000u, 80000u}) {
-      const std::string name =
-          count < 20000 ? "uniform, a quarter of the points" : "uniform, four times the points";
-      append_set({name, uniform_points(count, 42), r, few}, {2}, {8, 4}, progress, rows);
-    }
-    append_set({"crumpled, r = spacing/2", crumpled_sheet(128, 14, 0.004, 7), spacing / 2, few},
-               {2}, {8}, progress, rows);
-    append_set({"crumpled, r = 2 spacing", crumpled_sheet(128, 14, 0.004, 7), 2 * spacing, few},
-               {2}, {8}, progress, rows);
+    const Sweep crowds{{2}, {8, 4}, {{8, GridShifts::corner}}};
+    append_set({"uniform, a quarter of the points", uniform_points(5000, 42), r, 3}, crowds,
+               progress, rows);
+    append_set({"uniform, four times the points", uniform_points(80000, 42), r, 3}, crowds,
+               progress, rows);
+    append_set({"crumpled, r = spacing/2", crumpled, spacing / 2, 3}, crowds, progress, rows);
+    append_set({"crumpled, r = 2 spacing", crumpled, 2 * spacing, 3}, crowds, progress, rows);
   }
   append_folding(quick, progress, rows);
   return rows;

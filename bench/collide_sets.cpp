@@ -1,9 +1,11 @@
 #include "bench/collide_sets.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <map>
 #include <stdexcept>
 
 #include "bench/random.h"
@@ -77,6 +79,16 @@ std::vector<double3> moved(std::vector<double3> points, uint64_t seed) {
   const double x = random.uniform(), y = random.uniform(), z = random.uniform();
   for (double3& p : points) p = {p.x + x, p.y + y, p.z + z};
   return points;
+}
+
+double points_per_cell(const std::vector<double3>& points, double cell) {
+  std::map<std::array<double, 3>, double> cells;
+  for (const double3& p : points) {
+    cells[{std::floor(p.x / cell), std::floor(p.y / cell), std::floor(p.z / cell)}] += 1;
+  }
+  double squares = 0;
+  for (const auto& [key, count] : cells) squares += count * count;
+  return squares / double(points.size());
 }
 
 std::string name_of(const SelfCollisionDesc& desc) {

@@ -18,6 +18,9 @@ std::vector<double3> crumpled_sheet(uint32_t n, uint32_t folds, double jitter, u
 /// All of them moved by one random offset below a metre.
 std::vector<double3> moved(std::vector<double3>, uint64_t seed);
 
+/// How many points share the cell of a point, itself included, on average over the points.
+double points_per_cell(const std::vector<double3>&, double cell);
+
 /// "staggered, 4 corner grids, h = 2 r, window 8", with h over r = cell over distance.
 std::string name_of(const SelfCollisionDesc&);
 

@@ -58,11 +58,12 @@ def crowds(rows):
     lines = []
     for of in CROWDS:
         found = [case(of, "8 corner", "2", w) for w in ("none", "8", "4")]
-        lines.append([of, number(rows.get(of, "near_points"))] +
+        lines.append([of, number(rows.get(of, "near_points")),
+                      number(rows.get(f"{of}: h = 2 r", "points_per_cell"))] +
                      [share(rows.get(name, "mean_recall")) for name in found] +
                      [number(rows.get(found[0], "substep")),
                       number(rows.get(f"{of}: complete", "substep"))])
-    return table(["8 corner grids, h = 2 r", "near points of a point", "no window", "window 8",
+    return table(["8 corner grids, h = 2 r", "near a point", "in its cell", "no window", "window 8",
                   "window 4", "ns, no window", "ns, complete"], lines)
 
 

@@ -110,12 +110,19 @@ Cloud::Cloud(const std::vector<double3>& points, const SelfCollisionDesc& search
   desc.gravity = {0, 0, 0};
   desc.substeps = 1;
   world_ = take(context_.create_world(desc), "world");
+  // At rest they are far apart, so that no pair is excluded.
+  std::vector<double3> rest;
+  for (size_t i = 0; i < points.size(); ++i)
+    rest.push_back({10 * search.distance * double(i), 0, 0});
   NetworkDesc network;
-  network.positions = View<double3>(points);
+  network.positions = View<double3>(rest);
   ClothDesc cloth;
   cloth.fabric = take(context_.cook(network), "network");
+  cloth.positions = View<double3>(points);
   cloth_ = take(world_.create_cloth(cloth), "cloth");
-  require(world_.set_self_collision(search), "self-collision");
+  SelfCollisionDesc anew = search;
+  anew.skin = 0;
+  require(world_.set_self_collision(anew), "self-collision");
   require(world_.prepare(1e-6), "prepare");
   points_.positions.resize(points.size());
   points_.distance = search.distance;
@@ -136,6 +143,7 @@ Cloud::Search Cloud::search() {
 }
 
 double Cloud::step() {
+  require(world_.step(1e-6), "step");  // finds room for its lists
   const double before = world_.stats().step_seconds;
   require(world_.step(1e-6), "step");
   return world_.stats().step_seconds - before;

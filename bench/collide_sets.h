@@ -34,7 +34,7 @@ class Cloud {
     double seconds;  ///< of near_pairs, the best of three
   };
   Search search();
-  /// Wall time of one substep.
+  /// Wall time of one substep that makes its list or its grids, and parts what touches.
   double step();
 
  private:

@@ -24,6 +24,10 @@ def case(of, grids, cells, window="none"):
     return f"{of}: staggered, {grids}, h = {cells} r, {tail}"
 
 
+def whole(value):
+    return "" if value is None else f"{value:,.0f}".replace(",", " ")
+
+
 def share(value):
     return "" if value is None else f"{value:.4f}"
 
@@ -61,8 +65,8 @@ def crowds(rows):
         lines.append([of, number(rows.get(of, "near_points")),
                       number(rows.get(f"{of}: h = 2 r", "points_per_cell"))] +
                      [share(rows.get(name, "mean_recall")) for name in found] +
-                     [number(rows.get(found[0], "substep")),
-                      number(rows.get(f"{of}: complete", "substep"))])
+                     [whole(rows.get(found[0], "substep")),
+                      whole(rows.get(f"{of}: complete", "substep"))])
     return table(["8 corner grids, h = 2 r", "near a point", "in its cell", "no window", "window 8",
                   "window 4", "ns, no window", "ns, complete"], lines)
 
@@ -70,13 +74,13 @@ def crowds(rows):
 def costs(rows):
     lines = [["complete"] + [cell for of in (UNIFORM, CRUMPLED) for cell in
                              (share(rows.get(f"{of}: complete", "mean_recall")),
-                              number(rows.get(f"{of}: complete", "substep")))]]
+                              whole(rows.get(f"{of}: complete", "substep")))]]
     for h in CELLS:
         for grids in GRIDS:
             cells = []
             for of in (UNIFORM, CRUMPLED):
                 name = case(of, grids, h)
-                cells += [share(rows.get(name, "mean_recall")), number(rows.get(name, "substep"))]
+                cells += [share(rows.get(name, "mean_recall")), whole(rows.get(name, "substep"))]
             lines.append([f"h = {h} r, {grids}"] + cells)
     return table(["no window", "uniform: recall", "ns per particle", "crumpled: recall",
                   "ns per particle"], lines)
@@ -94,8 +98,8 @@ def steps(rows):
         lines.append([f"{substeps}, {way}", number(rows.get(name, "substeps_per_encounter"))] +
                      [percent(rows.get(name, metric)) for metric in
                       ("encounters_missed", "encounters_between_substeps", "nearer_than_half")] +
-                     [number(rows.get(name, metric)) for metric in
-                      ("least_distance", "crossings", "cost")])
+                     [number(rows.get(name, "least_distance")), whole(rows.get(name, "crossings")),
+                      number(rows.get(name, "cost"))])
     return table(["substeps of a frame, search", "substeps of an encounter", "encounters missed",
                   "passed between substeps", "nearer than r/2", "least distance, r", "crossings",
                   "time / none"], lines)
@@ -116,7 +120,7 @@ def plots(rows, folder):
                        [(rows.get(f"{of}: complete", "substep"), 1)]))
     plot(os.path.join(folder, "self_collision_cost.svg"),
          "1, 2, 4 and 8 corner grids, h = 2 r",
-         ("ns per particle and search", "recall"), series, "set logscale x; set yrange [0:1.05]")
+         ("ns per particle and substep", "recall"), series, "set logscale x; set yrange [0:1.05]")
     series = []
     for of in (UNIFORM, CRUMPLED):
         for h in CELLS:

@@ -42,8 +42,7 @@ struct Measured {
 };
 
 Measured measure(const io::Scene& scene, io::RunningScene& made, const SelfCollisionDesc& search) {
-  // What is built and uploaded once is no search.
-  made.require(made.world.prepare(scene.time.frame), scene.file);
+  // Reading builds the world, which is no part of the search.
   const std::vector<io::MeetingCloth> cloths = meeting_cloths(scene, made, search.distance);
   const auto begin = std::chrono::steady_clock::now();
   const auto found = made.world.near_pairs(true);

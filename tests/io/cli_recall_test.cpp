@@ -69,6 +69,14 @@ TEST(CliRecall, CountsPairsThatSpringsKeepNear) {
   EXPECT_EQ(json["pairs_found"], 9);
 }
 
+TEST(CliRecall, NeedsNoStableStep) {
+  Json scene = falling_scene();
+  scene["time"]["substeps"] = 1;
+  scene["cloths"][0]["stiffness"] = 1e6;
+  scene["self_collision"] = {{"method", "complete"}, {"distance", 0.34}};
+  EXPECT_EQ(recall_of(scene)["recall"], 1);
+}
+
 TEST(CliRecall, OfFarPointsIsOne) {
   Json cloth = network_cloth();
   Json scene = scene_of(cloth);

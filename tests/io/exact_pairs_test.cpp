@@ -62,7 +62,7 @@ void expect_brute(const std::vector<MeetingCloth>& cloths) {
 }
 
 TEST(ExactPairs, AreThoseOfComparingAllWithAll) {
-  for (const size_t count : {0, 1, 2, 12, 13, 14, 100, 700}) {
+  for (const uint32_t count : {0u, 1u, 2u, 12u, 13u, 14u, 100u, 700u}) {
     for (const double r : {1e-9, 0.03, 0.2, 0.7, 3.0}) {
       SCOPED_TRACE(std::to_string(count) + " points, " + std::to_string(r));
       expect_brute({cloth_of(cloud(count, count + 1), r)});
@@ -136,6 +136,13 @@ TEST(ExactPairs, OfCoincidentPointsAreAllOfThem) {
   EXPECT_EQ(count_near_pairs({cloth_of(one, 1e-300)}), 0u);  // its square is zero
   EXPECT_EQ(count_near_pairs({cloth_of(one, 1e-3)}), 12497500u);
   EXPECT_EQ(list_near_pairs({cloth_of({one.begin(), one.begin() + 300}, 1e-3)}).size(), 44850u);
+}
+
+TEST(ExactPairs, OfTwoCrowdsAtTheDistanceItselfAreWithinEach) {
+  std::vector<double3> crowds(40, double3{0.25, 0, 0});
+  for (size_t i = 20; i < 40; ++i) crowds[i] = {0.25, 0, -1.25};
+  EXPECT_EQ(count_near_pairs({cloth_of(crowds, 1.25)}), 380u);
+  EXPECT_EQ(count_near_pairs({cloth_of(crowds, 1.2500000001)}), 780u);
 }
 
 TEST(ExactPairs, OfSmallDistancesInLargePlaces) {

@@ -31,13 +31,17 @@ double3 random_point(Random& random, double side) {
 double dot(double3 a, double3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 
 double3 random_direction(Random& random) {
-  for (;;) {
-    const double3 d = random_point(random, 1);
-    const double square = dot(d, d);
-    if (square > 1 || square < 1e-4) continue;
-    const double scale = 1 / std::sqrt(square);
-    return {scale * d.x, scale * d.y, scale * d.z};
-  }
+  constexpr double pi = 3.14159265358979323846;
+  const double z = 2 * random.uniform() - 1, angle = 2 * pi * random.uniform();
+  const double across = std::sqrt(1 - z * z);
+  return {across * std::cos(angle), across * std::sin(angle), z};
+}
+
+double3 middle_of(const std::vector<double3>& points) {
+  double3 sum{0, 0, 0};
+  for (const double3& p : points) sum = {sum.x + p.x, sum.y + p.y, sum.z + p.z};
+  const double n = double(points.size());
+  return {sum.x / n, sum.y / n, sum.z / n};
 }
 
 }  // namespace
@@ -56,14 +60,14 @@ std::vector<double3> crumpled_sheet(uint32_t n, uint32_t folds, double jitter, u
   Random random(seed);
   std::vector<double3> points;
   for (uint32_t v = 0; v < n * n; ++v) {
-    points.push_back({double(v % n) / (n - 1) - 0.5, double(v / n) / (n - 1) - 0.5, 0});
+    points.push_back({double(v % n) / (n - 1), double(v / n) / (n - 1), 0});
   }
   for (uint32_t f = 0; f < folds; ++f) {
     const double3 normal = random_direction(random);
-    const double offset = dot(normal, points[random.below(n * n)]);
+    const double offset = dot(normal, middle_of(points)) + 0.2 * (random.uniform() - 0.5);
     for (double3& p : points) {
       const double beyond = dot(normal, p) - offset;
-      if (beyond <= 0) continue;
+      if (beyond >= 0) continue;
       p = {p.x - 2 * beyond * normal.x, p.y - 2 * beyond * normal.y, p.z - 2 * beyond * normal.z};
     }
   }

@@ -12,8 +12,9 @@ namespace weft::bench {
 
 /// Uniform in the unit cube.
 std::vector<double3> uniform_points(uint32_t count, uint64_t seed);
-/// A unit sheet of n x n, folded along `folds` random planes without stretching (what lies beyond a
-/// plane is mirrored in it), each point moved by up to `jitter` along each axis.
+/// A unit sheet of n x n, folded without stretching: what lies behind each of `folds` random
+/// planes, which pass its middle by at most 0.1 m, is mirrored in it. Then each point is moved by
+/// up to `jitter` along each axis.
 std::vector<double3> crumpled_sheet(uint32_t n, uint32_t folds, double jitter, uint64_t seed);
 /// All of them moved by one random offset below a metre.
 std::vector<double3> moved(std::vector<double3>, uint64_t seed);

@@ -131,7 +131,7 @@ def ball_cloth(name, mass, place, push):
 def write_balls(folder):
     vertices, faces = ball(3)
     write_obj(os.path.join(folder, "ball.obj"), vertices, faces)
-    balls = [ball_cloth("left", 0.12, [-0.16, 0.62, 0.35], [0, 0, -5]),
+    balls = [ball_cloth("left", 0.12, [-0.16, 0.62, 0.35], [0.8, 0, -5]),
              ball_cloth("right", 0.12, [0.16, 0.76, -0.35], [-1.5, 0, 4])]
     with open(os.path.join(folder, "balls.json"), "w", encoding="utf-8") as file:
         file.write("""{
@@ -151,6 +151,7 @@ def write_balls(folder):
 """ + ",\n".join(balls) + """
   ],
   "colliders": [ { "plane": { "normal": [0, 1, 0], "offset": 0 }, "friction": 0.4 } ],
+  "camera": { "eye": [2.3, 1.25, 2.1], "target": [0, 0.68, 0] },
   "wind": { "velocity": [0.5, 0, 1.5] },
   "self_collision": { "method": "complete", "distance": 0.012, "friction": 0.2 }
 }

@@ -2,6 +2,7 @@
 
 #include "bench/accumulate.h"
 #include "bench/api.h"
+#include "bench/collide.h"
 #include "bench/effects.h"
 #include "bench/forces.h"
 #include "bench/gpu.h"
@@ -34,6 +35,8 @@ const std::vector<Table>& tables() {
        run_forces},
       {"accumulate", "what the precision of the sum of forces does to forces and to equilibrium",
        run_accumulate},
+      {"collide", "self-collision: pairs found and time, by search, set of points and step size",
+       run_collide},
   };
   return all;
 }

@@ -4,13 +4,12 @@ FOLDER holds forces.json, grid.json and accumulate.json, as `weft bench NAME --j
 scripts/forces.sh makes them. The words are those of forces_page.md.in. gnuplot draws the plots."""
 
 import datetime
-import json
 import os
 import re
-import subprocess
 import sys
 
 from machine import processor
+from page import Rows, number, plot, table
 
 # Georgii and Westermann 2005, Table 2: ms on an ATI X800 XT.
 PUBLISHED = {128: {"PCA": (0.54, None, 0.20, 0.74), "ECA": (0.40, 0.12, 0.20, 0.72)},
@@ -23,35 +22,9 @@ NS = "ns_per_edge"
 LAYOUT = "256x256 regular, sliced rows"
 
 
-class Rows:
-    """The rows of one table, by case and metric."""
-
-    def __init__(self, path):
-        with open(path, encoding="utf-8") as file:
-            self.rows = json.load(file)["rows"]
-        self.of = {(r["case"], r["metric"]): r["median"] for r in self.rows}
-
-    def get(self, case, metric, default=None):
-        return self.of.get((case, metric), default)
-
-    def cases(self, pattern, metric):
-        found = [r["case"] for r in self.rows if r["metric"] == metric]
-        return [re.match(pattern, case) for case in found if re.match(pattern, case)]
-
+class Forces(Rows):
     def sizes(self):
         return [int(m[1]) for m in self.cases(r"(\d+)x\d+ tri6 mesh, gather$", "total")]
-
-
-def number(value, digits=3):
-    return "" if value is None else f"{value:.{digits}g}"
-
-
-def table(header, lines):
-    yield "| " + " | ".join(header) + " |"
-    yield "|---|" + "---:|" * (len(header) - 1)
-    for line in lines:
-        yield "| " + " | ".join(line) + " |"
-    yield ""
 
 
 def table_1(rows):
@@ -181,23 +154,6 @@ def page_of(measured, forces, sums, tables):
         return file.read().format(**values)
 
 
-def plot(path, title, axes, series, extra=""):
-    """`series`: (name, [(x, y), ...])."""
-    script = ['set terminal svg size 720,400 dynamic background "white" font "sans,13"',
-              f'set output "{path}"', f'set title "{title}"', "set key outside right noenhanced",
-              "set grid", "set xtics noenhanced",
-              f'set xlabel "{axes[0]}"', f'set ylabel "{axes[1]}"', extra]
-    for index, (_, points) in enumerate(series):
-        script.append(f"$d{index} << E")
-        script += [" ".join(str(v) for v in p) for p in points if p[1] is not None]
-        script.append("E")
-    using = "2:xtic(1)" if "xtics" in extra else "1:2"
-    script.append("plot " + ", ".join(
-        f'$d{i} using {using} with linespoints pt 7 lw 2 title "{name}"'
-        for i, (name, _) in enumerate(series)))
-    subprocess.run(["gnuplot"], input="\n".join(script) + "\n", text=True, check=True)
-
-
 def plots(forces, grid, sums, folder):
     sizes = forces.sizes()
     series = [(f"weft, {way}", [(n, forces.get(f"{n}x{n} tri6 mesh, {way}", "total"))
@@ -226,8 +182,8 @@ def plots(forces, grid, sums, folder):
 
 
 def main(folder, docs):
-    forces, grid, sums = (Rows(os.path.join(folder, f"{name}.json"))
-                          for name in ("forces", "grid", "accumulate"))
+    forces = Forces(os.path.join(folder, "forces.json"))
+    grid, sums = (Rows(os.path.join(folder, f"{name}.json")) for name in ("grid", "accumulate"))
     plots(forces, grid, sums, os.path.join(docs, "pictures"))
     measured = (f"*Measured on {datetime.date.today().isoformat()}, {processor()}, one thread, by "
                 "`scripts/forces.sh`; compare ratios, machines differ.*")

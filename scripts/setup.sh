@@ -3,7 +3,7 @@
 # usage: scripts/setup.sh [--all | --demo]
 #   --all   also clang with its OpenMP and sanitizer runtimes, hipcc with rocPRIM, pkg-config and
 #          mkdocs, for the other stages of test.sh, and ccache
-#   --demo  also ffmpeg, for the films of demo.sh, and gnuplot, for the plots of forces.sh
+#   --demo  also ffmpeg, for the films of demo.sh, and gnuplot, for the plots of pages
 # Says what it installs, and does nothing (in a fraction of a second) when nothing is missing.
 set -euo pipefail
 

@@ -75,7 +75,6 @@ class Program {
     add_scene_commands();
     add_bench();
     add_later("accuracy", "Not available yet: error against time over methods and steps");
-    add_later("recall", "Not available yet: self-collision pairs found against all");
   }
 
   int run(int argc, char** argv) {
@@ -141,6 +140,9 @@ class Program {
     add_common(add("plan", "Print the passes that a scene needs",
                    [this] { return plan_command(common_); }),
                common_);
+    add_common(add("recall", "Self-collision: pairs found at the start against all that are near",
+                   [this] { return recall_command(common_); }),
+               common_);
   }
 
   void add_bench() {
@@ -155,7 +157,7 @@ class Program {
     add(name.c_str(), summary, [name]() -> int {
       throw io::InputError(name +
                            ": is not available in this version (nothing computes it yet) "
-                           "use run, check, plan or bench");
+                           "use run, check, plan, recall or bench");
     })->allow_extras();
   }
 

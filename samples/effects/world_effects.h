@@ -1,4 +1,4 @@
-// What a world has besides colliders: wind, and other ways to add forces up.
+// What a world has besides colliders: wind, self-collision, and other ways to add forces up.
 #pragma once
 
 #include "samples/effects/effect.h"
@@ -50,8 +50,50 @@ constexpr Effect timed_scatter(Effect effect) {
   return effect;
 }
 
+/// Below the spacing of the scene's sheet, which shrinks a little: then neighbours touch.
+inline void come_near(ClothDesc& d) { d.collision_distance = 0.06245; }
+inline void avoid_all(ClothDesc& d) {
+  come_near(d);
+  d.collides_itself = d.collides_others = 0;
+}
+template <PairSearch search>
+void collide(Stage& s) {
+  SelfCollisionDesc desc;
+  desc.search = search;
+  desc.friction = 0.25;
+  desc.cell = 0.125;
+  check(s.world.set_self_collision(desc));
+}
+/// So near is nobody.
+template <PairSearch search>
+void collide_in_vain(Stage& s) {
+  SelfCollisionDesc desc;
+  desc.search = search;
+  desc.distance = 1e-7;
+  desc.skin = 1e-3;
+  check(s.world.set_self_collision(desc));
+}
+template <PairSearch search>
+void collide_and_clear(Stage& s) {
+  collide<search>(s);
+  check(s.world.clear_self_collision());
+}
+template <PairSearch search>
+constexpr Effect self_collision(const char* name, const char* method) {
+  return {.name = name,
+          .used = {.dress = come_near, .furnish = collide<search>},
+          .null = {{.furnish = collide_in_vain<search>},
+                   {.dress = avoid_all, .furnish = collide<search>},
+                   {.dress = come_near, .furnish = collide_and_clear<search>}},
+          .cloth_keys = R"("collision": {"distance": 0.06245})",
+          .scene_keys = {R"("self_collision": {"friction": 0.25, "cell": 0.125, "method": )",
+                         method, "}"}};
+}
+
 inline constexpr Effect world_effects[] = {
     wind,
+    self_collision<PairSearch::complete>("self_collision", R"("complete")"),
+    self_collision<PairSearch::staggered>("staggered_grids", R"("staggered")"),
     timed_scatter(scattered<Accumulate::fixed64>("scatter_fixed64", R"("fixed64")")),
     scattered<Accumulate::float16>("scatter_float16", R"("float16")"),
     scattered<Accumulate::float24>("scatter_float24", R"("float24")"),

@@ -30,23 +30,30 @@ WEFT_HD uint32_t floor_bits(double v) {
   return static_cast<uint32_t>(bits);
 }
 
-/// Bounds of where each block is and how it moves; what is not finite does not count.
+/// Bounds of where each block is and how it goes on from there; what is not finite does not count.
+/// A list that is to last expects a particle to go on as it did on average since the last such list
+/// was made, so that what only trembles does not outrun it.
 template <class T, bool Position>
 struct ContactBounds {
   Simulation<T> sim;
   ParticleBuffers<T> p;
   Vec3Array<T> x;
+  bool lasting;
+  int since;  ///< substeps since `from` and `drift` were written; below 1: never
 
   template <int N>
   WEFT_HD void operator()(int block, int lane0, Lanes<N> lanes) const {
     const int i0 = block * block_size + lane0;
     const int of_cloth = sim.block.cloth[block];
+    if (lasting) expect(i0, lanes);
     const int last = sim.cloths[of_cloth].end - 1;
     const T far = T(3e38);
+    const Vec3Array<T> positions = x, drift = sim.contacts.drift;
     LaneVec3<T, N> low, high, slow, fast;
     lanes.each([&](int l) WEFT_LANE {
       const int i = i0 + l < last ? i0 + l : last;  // padding stands for the last particle
-      const Vec3<T> at = load(x, i), d = displacement<Position>(p, i);
+      const Vec3<T> at = load(positions, i), none{T(0), T(0), T(0)};
+      const Vec3<T> d = lasting ? load(drift, i) : none;
       const T zero = (at.x - at.x) + (at.y - at.y) + (at.z - at.z);
       const bool finite = zero == T(0);
       const Vec3<T> plus{far, far, far}, minus{-far, -far, -far};
@@ -70,6 +77,30 @@ struct ContactBounds {
     box.fastest[1] = static_cast<double>(largest_of_lanes(fast.y, lanes));
     box.fastest[2] = static_cast<double>(largest_of_lanes(fast.z, lanes));
     if (lane0 == 0) sim.contacts.box[block] = box;
+  }
+
+ private:
+  template <int N>
+  WEFT_HD void expect(int i0, Lanes<N> lanes) const {
+    const ParticleBuffers<T> buffers = p;
+    const Vec3Array<T> now = x, from = sim.contacts.from, drift = sim.contacts.drift;
+    if (since < 1) {
+      lanes.each([=](int l) WEFT_LANE {
+        store(drift, i0 + l, displacement<Position>(buffers, i0 + l));
+        store(from, i0 + l, load(now, i0 + l));
+      });
+      return;
+    }
+    const T per_substep = T(1) / T(since), age = T(since);
+    const T much2 = T(0.25) * T(sim.contacts.skin) * T(sim.contacts.skin);
+    lanes.each([=](int l) WEFT_LANE {
+      const Vec3<T> at = load(now, i0 + l), way = at - load(from, i0 + l);
+      const Vec3<T> off = way - age * load(drift, i0 + l);
+      const Vec3<T> d = displacement<Position>(buffers, i0 + l);
+      // Who was stopped, or pushed, goes on as it does now.
+      store(drift, i0 + l, select(dot(off, off) > much2, d, per_substep * way));
+      store(from, i0 + l, at);
+    });
   }
 };
 
@@ -203,10 +234,9 @@ struct CellKeys {
 };
 
 /// After the sort: where each cell begins, and the particles in the order of their cells.
-template <class T, bool Position>
+template <class T>
 struct SortedCells {
   Simulation<T> sim;
-  ParticleBuffers<T> p;
   Vec3Array<T> x;
 
   template <int N>
@@ -233,7 +263,7 @@ struct SortedCells {
                     T(in_world(position.z, cloth.origin[2]) - state.low[2])});
       const bool lasts = state.horizon > 0;
       store(c.drift_of_spot, at,
-            select(lasts, displacement<Position>(p, i), Vec3<T>{T(0), T(0), T(0)}));
+            lasts ? load(c.drift, i) : Vec3<T>{T(0), T(0), T(0)});
       c.radius_of_spot[at] = T(0.5 * (cloth.distance + state.slack) + (lasts ? c.skin : 0.0));
       c.cloth_of_spot[at] = of_cloth;
     });

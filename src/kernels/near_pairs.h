@@ -13,7 +13,6 @@ namespace WEFT_BACKEND_NS {
 /// Whether particles i and j, of cloths `a` and `b`, touch when they are near enough.
 template <class T>
 WEFT_HD bool may_meet(const Contacts<T>& c, int i, int j, int a, int b) {
-  if (i == j) return false;
   const ContactCloth &one = c.cloth[a], &other = c.cloth[b];
   if (a != b) {
     return (one.others & other.others) != 0 && (one.layers & other.layers) != 0;
@@ -26,8 +25,8 @@ WEFT_HD bool may_meet(const Contacts<T>& c, int i, int j, int a, int b) {
   return !((x * x + y * y) + z * z < one.distance * one.distance);
 }
 
-/// Rows of the list are written by what all kinds of search have in common: `Finder::search(i,
-/// emit)` names candidates, each once.
+/// Rows of the list are written by what all kinds of search have in common: a Finder names the
+/// candidates of a few particles at a time, each once.
 template <class T, class Finder>
 struct WriteRows {
   Simulation<T> sim;
@@ -43,21 +42,17 @@ struct WriteRows {
     const int end = sim.cloths[of_cloth].end;
     int32_t kept[N][most_kept];
     int32_t count[N], foreign[N], most[N];
-    lanes.each_alone([&](int l) {
-      int n = 0;
-      int32_t other = 0;
-      if (i0 + l < end) {
-        finder.search(sim, i0 + l, of_cloth, [&](int32_t j, int cloth_of_j) {
-          if (n < most_kept) kept[l][n] = j;
-          other |= cloth_of_j != of_cloth ? 1 : 0;
-          ++n;
-        });
-      }
-      count[l] = n;
-      most[l] = n;
-      foreign[l] = other;
-    });
-    finder.remember(sim, i0, lanes);
+    lanes.each_alone([&](int l) { count[l] = foreign[l] = 0; });
+    constexpr int group = N < Finder::group ? N : Finder::group;
+    for (int from = 0; from < N && i0 + from < end; from += group) {
+      const int real = end - (i0 + from) < group ? end - (i0 + from) : group;
+      finder.template search<group>(sim, i0 + from, real, of_cloth, [&](int l, int32_t j, int of_j) {
+        const int lane = from + l, n = count[lane]++;
+        if (n < most_kept) kept[lane][n] = j;
+        foreign[lane] |= of_j != of_cloth ? 1 : 0;
+      });
+    }
+    lanes.each_alone([&](int l) { most[l] = count[l]; });
     const int width = WEFT_OF_FIRST_LANE(largest_of_lanes(most, lanes));
     const int any_foreign = WEFT_OF_FIRST_LANE(largest_of_lanes(foreign, lanes));
     unsigned long long start = 0;
@@ -77,8 +72,9 @@ struct WriteRows {
       if (count[l] <= most_kept) {
         for (; n < count[l]; ++n) row[int64_t(n) * block_size] = kept[l][n];
       } else {
-        finder.search(sim, i0 + l, of_cloth,
-                      [&](int32_t j, int) { row[int64_t(n++) * block_size] = j; });
+        finder.template search<1>(
+            sim, i0 + l, 1, of_cloth,
+            [&](int, int32_t j, int) { row[int64_t(n++) * block_size] = j; });
       }
       sort_row(c.rank, row, n);
       for (; n < width; ++n) row[int64_t(n) * block_size] = i0 + l;
@@ -122,97 +118,146 @@ struct WriteRows {
   }
 };
 
-/// Every pair that the list must hold.
-template <class T, bool Position>
+/// Every pair that the list must hold. Particles that follow each other in memory are mostly near
+/// each other: eight of them look through the cells around all eight together, each candidate
+/// against the eight at once.
+template <class T>
 struct CompleteFinder {
-  ParticleBuffers<T> p;
   Vec3Array<T> x;
 
-  template <class Emit>
-  WEFT_HD void search(const Simulation<T>& sim, int i, int of_cloth, Emit emit) const {
+  static constexpr int group = 8;
+
+  /// emit(lane, j, cloth of j) for each candidate of the lanes below `count` from particle i on.
+  template <int G, class Emit>
+  WEFT_HD void search(const Simulation<T>& sim, int i, int count, int of_cloth, Emit emit) const {
     const Contacts<T>& c = sim.contacts;
     const ContactState& state = *c.state;
-    const ContactCloth& cloth = c.cloth[of_cloth];
-    const Vec3<T> at = load(x, i);
-    const T zero = (at.x - at.x) + (at.y - at.y) + (at.z - at.z);
-    if (!(zero == T(0))) return;
-    const uint32_t cx = cell_along(state, 0, at.x, cloth.origin[0]);
-    const uint32_t cy = cell_along(state, 1, at.y, cloth.origin[1]);
-    const uint32_t cz = cell_along(state, 2, at.z, cloth.origin[2]);
-    const Vec3<T> spot{T(in_world(at.x, cloth.origin[0]) - state.low[0]),
-                       T(in_world(at.y, cloth.origin[1]) - state.low[1]),
-                       T(in_world(at.z, cloth.origin[2]) - state.low[2])};
-    const bool lasts = state.horizon > 0;
-    const Vec3<T> drift = select(lasts, displacement<Position>(p, i), Vec3<T>{T(0), T(0), T(0)});
-    const T radius = T(0.5 * (cloth.distance + state.slack) + (lasts ? c.skin : 0.0));
-    const Look look{spot, drift, radius, T(state.horizon)};
-    const auto candidate = [&](int at_sorted) {
+    Group<G> all;
+    gather(c, i, count, of_cloth, all);
+    if (!all.any) return;
+    int cells[3];
+    for (int axis = 0; axis < 3; ++axis) cells[axis] = all.high[axis] - all.low[axis] + 3;
+    if constexpr (G > 1) {
+      // Who are far from each other look alone.
+      if (cells[0] > 3 * G || cells[1] > 3 * G || cells[2] > 3 * G ||
+          cells[1] * cells[2] > 16 * G) {
+        for (int l = 0; l < count; ++l) {
+          search<1>(sim, i + l, 1, of_cloth, [&](int, int32_t j, int of_j) { emit(l, j, of_j); });
+        }
+        return;
+      }
+    }
+    uint32_t first[3];
+    for (int axis = 0; axis < 3; ++axis) {
+      first[axis] = static_cast<uint32_t>(all.low[axis] - 1);
+      const auto along = static_cast<int64_t>(state.mask[axis]) + 1;
+      if (cells[axis] > along) cells[axis] = static_cast<int>(along);
+    }
+    const auto candidate = [&](int l, int at_sorted) {
       const auto j = static_cast<int32_t>(c.element[at_sorted]);
       const int of_j = c.cloth_of_spot[at_sorted];
-      if (may_meet(c, i, j, of_cloth, of_j)) emit(j, of_j);
+      if (may_meet(c, i + l, j, of_cloth, of_j)) emit(l, j, of_j);
     };
-    const uint32_t left = (cx - 1u) & state.mask[0], right = (cx + 1u) & state.mask[0];
-    for (uint32_t dz = 0; dz < 3; ++dz) {
-      for (uint32_t dy = 0; dy < 3; ++dy) {
-        const uint32_t row = ((cy + dy - 1u) & state.mask[1]) << state.shift[1] |
-                             ((cz + dz - 1u) & state.mask[2]) << state.shift[2];
+    const uint32_t left = first[0] & state.mask[0];
+    const uint32_t right = (first[0] + static_cast<uint32_t>(cells[0]) - 1u) & state.mask[0];
+    for (int dz = 0; dz < cells[2]; ++dz) {
+      for (int dy = 0; dy < cells[1]; ++dy) {
+        const uint32_t y = (first[1] + static_cast<uint32_t>(dy)) & state.mask[1];
+        const uint32_t z = (first[2] + static_cast<uint32_t>(dz)) & state.mask[2];
+        const uint32_t row = y << state.shift[1] | z << state.shift[2];
         if (left <= right) {
-          scan(c, look, c.cell_start[row | left], c.cell_start[(row | right) + 1u], candidate);
+          scan(c, all, c.cell_start[row | left], c.cell_start[(row | right) + 1u], candidate);
         } else {  // around the end
-          scan(c, look, c.cell_start[row], c.cell_start[(row | right) + 1u], candidate);
-          scan(c, look, c.cell_start[row | left], c.cell_start[(row | state.mask[0]) + 1u],
+          scan(c, all, c.cell_start[row], c.cell_start[(row | right) + 1u], candidate);
+          scan(c, all, c.cell_start[row | left], c.cell_start[(row | state.mask[0]) + 1u],
                candidate);
         }
       }
     }
   }
 
-  /// Where the particles are now, and how they go on from here.
-  template <int N>
-  WEFT_HD void remember(const Simulation<T>& sim, int i0, Lanes<N> lanes) const {
-    if (sim.contacts.state->horizon == 0) return;
-    const ParticleBuffers<T> buffers = p;
-    const Vec3Array<T> now = x, from = sim.contacts.from, drift = sim.contacts.drift;
-    lanes.each([=](int l) WEFT_LANE {
-      store(from, i0 + l, load(now, i0 + l));
-      store(drift, i0 + l, displacement<Position>(buffers, i0 + l));
-    });
-  }
-
  private:
-  /// What a particle looks for: all that come nearer than the radii of both while both drift.
-  struct Look {
-    Vec3<T> spot, drift;
-    T radius, horizon;
+  /// Particles that look for all that come nearer than the radii of both while both drift.
+  template <int G>
+  struct Group {
+    LaneVec3<T, G> spot, drift;
+    T radius[G];  ///< no number where nothing is to be found
+    T horizon;
+    int low[3], high[3];  ///< of their cells
+    int first;            ///< particle
+    bool any;
   };
 
-  template <class Candidate>
-  WEFT_HD static void scan(const Contacts<T>& c, const Look& look, uint32_t begin, uint32_t end,
+  template <int G>
+  WEFT_HD void gather(const Contacts<T>& c, int i, int count, int of_cloth, Group<G>& all) const {
+    const ContactState& state = *c.state;
+    const ContactCloth& cloth = c.cloth[of_cloth];
+    const bool lasts = state.horizon > 0;
+    all.horizon = T(state.horizon);
+    all.any = false;
+    all.first = i;
+    const T radius = T(0.5 * (cloth.distance + state.slack) + (lasts ? c.skin : 0.0));
+    for (int l = 0; l < G; ++l) {
+      const int at = l < count ? i + l : i;
+      const Vec3<T> now = load(x, at);
+      const T zero = (now.x - now.x) + (now.y - now.y) + (now.z - now.z);
+      const bool live = (l < count) & (zero == T(0));
+      const double from_low[3] = {in_world(now.x, cloth.origin[0]) - state.low[0],
+                                  in_world(now.y, cloth.origin[1]) - state.low[1],
+                                  in_world(now.z, cloth.origin[2]) - state.low[2]};
+      all.spot.set(l, {T(from_low[0]), T(from_low[1]), T(from_low[2])});
+      all.drift.set(l, lasts ? load(c.drift, at) : Vec3<T>{T(0), T(0), T(0)});
+      all.radius[l] = live ? radius : T(-1e30);
+      if (!live) continue;
+      for (int axis = 0; axis < 3; ++axis) {
+        const auto cell = static_cast<int>(floor_bits(from_low[axis] * state.inverse_cell[axis]));
+        all.low[axis] = !all.any || cell < all.low[axis] ? cell : all.low[axis];
+        all.high[axis] = !all.any || cell > all.high[axis] ? cell : all.high[axis];
+      }
+      all.any = true;
+    }
+  }
+
+  template <int G, class Candidate>
+  WEFT_HD static void scan(const Contacts<T>& c, const Group<G>& all, uint32_t begin, uint32_t end,
                            const Candidate& candidate) {
-    constexpr int chunk = 16;
+    constexpr int chunk = 4;
+    const T horizon = all.horizon, horizon2 = horizon * horizon;
     const Vec3Array<T> spots = c.spot, drifts = c.drift_of_spot;
     const T* radii = c.radius_of_spot;
+    const uint32_t* elements = c.element;
     for (uint32_t from = begin; from < end; from += chunk) {
-      const int first = static_cast<int>(from), count = static_cast<int>(end - from);
-      int32_t near[chunk];
-      int found = 0;
-      WEFT_SIMD_OR(found)
+      const int q0 = static_cast<int>(from);
+      alignas(64) T excess[chunk][G];
+      WEFT_UNROLL
       for (int k = 0; k < chunk; ++k) {
-        const Vec3<T> d = load(spots, first + k) - look.spot;
-        const Vec3<T> v = load(drifts, first + k) - look.drift;
-        const T reach = look.radius + radii[first + k];
-        const T v2 = dot(v, v), nearing = -dot(d, v);
-        // The time of the least distance, of the substeps that the list is made for.
-        const T time = v2 > T(0) ? nearing / v2 : T(0);
-        const T in_time = smaller(larger(time, T(0)), look.horizon);
-        const Vec3<T> least = d + in_time * v;
-        near[k] = (k < count) & (dot(least, least) < reach * reach) ? 1 : 0;
-        found |= near[k];
+        const Vec3<T> spot = load(spots, q0 + k), drift = load(drifts, q0 + k);
+        // Behind the end lies what is another cell's, or room.
+        const T radius = from + static_cast<uint32_t>(k) < end ? radii[q0 + k] : T(-1e30);
+        const int self = static_cast<int>(elements[q0 + k]) - all.first;
+        Lanes<G>{}.each([&](int l) WEFT_LANE {
+          // |d + t v|^2 - reach^2 at the start, at the end, and, times v^2, where it is least. The
+          // hair covers the rounding of the last.
+          const Vec3<T> d = spot - all.spot.get(l), v = drift - all.drift.get(l);
+          const T reach = larger(radius + all.radius[l], T(0));
+          const T dv = dot(d, v), v2 = dot(v, v);
+          const T at_start = dot(d, d) - T(1.00001) * (reach * reach);
+          const T at_end = at_start + (T(2) * horizon * dv + horizon2 * v2);
+          const T between = at_start * v2 - dv * dv;
+          const bool passes = (dv < T(0)) & (dv + horizon * v2 > T(0));
+          const T least = smaller(smaller(at_start, at_end), passes ? between : T(1));
+          excess[k][l] = l == self ? T(1) : least;
+        });
       }
-      if (found == 0) continue;
-      const int real = count < chunk ? count : chunk;
-      for (int k = 0; k < real; ++k) {
-        if (near[k] != 0) candidate(first + k);
+      const bool any = Lanes<G>{}.any([&](int l) WEFT_LANE {
+        return smaller(smaller(excess[0][l], excess[1][l]), smaller(excess[2][l], excess[3][l])) <
+               T(0);
+      });
+      if (!any) continue;
+      for (int k = 0; k < chunk; ++k) {
+        for (int l = 0; l < G; ++l) {
+          if (excess[k][l] < T(0)) candidate(l, q0 + k);
+        }
       }
     }
   }

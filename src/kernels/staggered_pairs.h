@@ -75,9 +75,11 @@ struct StaggeredFinder {
   Vec3Array<T> x;
   int32_t elements;  ///< of all particles, padding included
 
+  static constexpr int group = 1;
+
   /// A pair that several grids have acts once: the first of them names it.
-  template <class Emit>
-  WEFT_HD void search(const Simulation<T>& sim, int i, int of_cloth, Emit emit) const {
+  template <int G, class Emit>
+  WEFT_HD void search(const Simulation<T>& sim, int i, int, int of_cloth, Emit emit) const {
     const Contacts<T>& c = sim.contacts;
     for (int g = 0; g < c.grids; ++g) {
       const int64_t first = int64_t(g) * c.entries_a_grid;
@@ -92,7 +94,7 @@ struct StaggeredFinder {
         for (int before = 0; before < g; ++before) {
           if (has(c, before, i, j)) return;
         }
-        emit(j, of_j);
+        emit(0, j, of_j);
       };
       const int32_t most = c.window > 0 ? c.window : elements;
       for (int32_t at = place - 1; at >= 0 && place - at <= most && key[at] == own; --at) look(at);
@@ -101,9 +103,6 @@ struct StaggeredFinder {
       }
     }
   }
-  template <int N>
-  WEFT_HD void remember(const Simulation<T>&, int, Lanes<N>) const {}
-
  private:
   /// Whether grid g has the pair.
   WEFT_HD static bool has(const Contacts<T>& c, int g, int i, int j) {

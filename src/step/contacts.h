@@ -22,9 +22,9 @@ namespace WEFT_BACKEND_NS {
 /// Lists the pairs near each other at `x`; `lasting`: for some substeps from p.x_in on.
 template <bool Position, class T, class Team>
 void list_complete(const Team& team, const Simulation<T>& sim, const ParticleBuffers<T>& p,
-                   Vec3Array<T> x, bool lasting) {
+                   Vec3Array<T> x, bool lasting, int since) {
   const Contacts<T>& c = sim.contacts;
-  team.for_each_block(sim.blocks, ContactBounds<T, Position>{sim, p, x});
+  team.for_each_block(sim.blocks, ContactBounds<T, Position>{sim, p, x, lasting, since});
   team.meet();
   team.for_each_block(1, PlanCells<T>{c, sim.blocks, lasting});
   team.meet();
@@ -33,10 +33,10 @@ void list_complete(const Team& team, const Simulation<T>& sim, const ParticleBuf
   team.sort_few_bits(c.key, c.element, c.other_key, c.other_element, sim.blocks * block_size,
                      c.key_bits + 1);
   team.meet();
-  team.for_each_block(sim.blocks, SortedCells<T, Position>{sim, p, x});
+  team.for_each_block(sim.blocks, SortedCells<T>{sim, x});
   team.meet();
-  using Finder = CompleteFinder<T, Position>;
-  team.for_each_block(sim.blocks, WriteRows<T, Finder>{sim, Finder{p, x}});
+  using Finder = CompleteFinder<T>;
+  team.for_each_block(sim.blocks, WriteRows<T, Finder>{sim, Finder{x}});
   team.meet();
 }
 
@@ -60,13 +60,13 @@ void list_staggered(const Team& team, const Simulation<T>& sim, Vec3Array<T> x) 
 
 template <class T, class Team>
 void list_pairs(const Team& team, const Simulation<T>& sim, const ParticleBuffers<T>& p,
-                Vec3Array<T> x, bool position_form, bool lasting) {
+                Vec3Array<T> x, bool position_form, bool lasting, int since = 0) {
   if (sim.contacts.search == Search::staggered) {
     list_staggered(team, sim, x);
   } else if (position_form) {
-    list_complete<true>(team, sim, p, x, lasting);
+    list_complete<true>(team, sim, p, x, lasting, since);
   } else {
-    list_complete<false>(team, sim, p, x, lasting);
+    list_complete<false>(team, sim, p, x, lasting, since);
   }
   team.lap(Lap::contacts);
 }
@@ -119,6 +119,7 @@ void respond_to_contact(const Team& team, const Simulation<T>& sim, const Partic
 /// How old the list is, as every thread of a team counts for itself.
 struct ListAge {
   int substeps = -1;  ///< -1: there is none
+  int since = -1;     ///< since Contacts::from was written; -1: never
 };
 
 /// Whether the list has room for all that it was made to hold.
@@ -135,8 +136,8 @@ bool substep_with_list(const Team& team, Simulation<T>& sim, const ParticleBuffe
   for (;;) {
     const bool makes = age.substeps < 0 || age.substeps >= c.state->horizon;
     if (makes) {
-      list_pairs(team, sim, p, p.x_in, step.position_form, true);
-      age.substeps = 0;
+      list_pairs(team, sim, p, p.x_in, step.position_form, true, age.since);
+      age.substeps = age.since = 0;
       if (c.state->horizon == 0 || !fits(c)) return false;
     }
     ++age.substeps;
@@ -155,6 +156,7 @@ bool substep_with_list(const Team& team, Simulation<T>& sim, const ParticleBuffe
     age.substeps = -1;
   }
   respond_to_contact(team, sim, p, step);
+  ++age.since;
   if (age.substeps == c.state->horizon && team.leads()) {
     c.state->limit = 2 * c.state->limit < 4096 ? 2 * c.state->limit : 4096;
     c.state->backoff = 1;
@@ -185,6 +187,7 @@ bool substep_with_contact(const Team& team, Simulation<T>& sim, const ParticleBu
   list_pairs(team, sim, p, p.x_out, step.position_form, false);
   if (!fits(c)) return false;
   respond_to_contact(team, sim, p, step);
+  if (age.since >= 0) ++age.since;
   if (team.leads() && c.state->wait > 0) --c.state->wait;
   team.meet();
   return true;

@@ -18,6 +18,7 @@ struct Frame {
   Wind<T> wind;
   int begin;      ///< substep to go on with: 0, but where a list of pairs needed more room
   int list_age;   ///< substeps since the list of near pairs was made; -1: there is none
+  int list_since; ///< since particles were last expected to go on in some way; -1: never
   bool by_block;  ///< some cloth has a list of colliders for each of its blocks
   Workers workers = 1;
 };

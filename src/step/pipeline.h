@@ -178,7 +178,7 @@ void run_frame_with_contact(Exec& exec, Frame<T>& frame) {
   const int begin = frame.begin;
   exec.frame([&frame, begin](const auto& team) {
     Simulation<T> sim = frame.sim;
-    ListAge age{frame.list_age};
+    ListAge age{frame.list_age, frame.list_since};
     team.start_clock();
     team.meet();  // all have read what the first of them to be done will write
     if (frame.by_block && begin == 0) {
@@ -200,6 +200,7 @@ void run_frame_with_contact(Exec& exec, Frame<T>& frame) {
     if (team.leads()) {
       frame.begin = s;
       frame.list_age = age.substeps;
+      frame.list_since = age.since;
     }
   });
   for (int s = 0; s < (frame.begin - begin) % 6; ++s) {

@@ -1,5 +1,9 @@
 // What a world is told of self-collision: every field is checked, equal descriptions change
 // nothing, and pairs that rest too near to touch are counted.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
 #include "reference/refusals.h"
 #include "reference/networks.h"
 #include "reference/random.h"
@@ -186,6 +190,114 @@ TEST(SelfCollision, IsARemarkOnEachClothThatLeavesPairsOut) {
   test.check(test.world().set_self_collision(desc));
   EXPECT_EQ(remarks().count, 0u);
 }
+
+/// A pair by cloths in order of creation and their vertices.
+using Quad = std::array<uint32_t, 4>;
+
+struct Crowd {
+  std::vector<weft::ClothId> ids;
+  std::vector<std::vector<Vec>> rest, now;
+  std::vector<weft::ClothSettings> settings;
+};
+
+/// By definition: of cloths that may meet, nearer than the mean of their distances.
+std::vector<Quad> expected_pairs(const Crowd& crowd, double distance, bool with_excluded) {
+  std::vector<Quad> found;
+  const auto distance_of = [&](size_t c) {
+    const double own = crowd.settings[c].collision_distance;
+    return own > 0 ? own : distance;
+  };
+  for (uint32_t a = 0; a < crowd.ids.size(); ++a)
+    for (uint32_t i = 0; i < crowd.now[a].size(); ++i)
+      for (uint32_t b = a; b < crowd.ids.size(); ++b) {
+        const weft::ClothSettings &one = crowd.settings[a], &two = crowd.settings[b];
+        const double reach = 0.5 * (distance_of(a) + distance_of(b));
+        const bool share = (one.collision_layers & two.collision_layers) != 0;
+        const bool meet =
+            a == b ? one.collides_itself != 0 : one.collides_others && two.collides_others && share;
+        for (uint32_t j = a == b ? i + 1 : 0; meet && j < crowd.now[b].size(); ++j) {
+          const Vec d = crowd.now[a][i] - crowd.now[b][j];
+          if (!(dot(d, d) < reach * reach)) continue;
+          const Vec r = crowd.rest[a][i] - crowd.rest[b][j];
+          if (a == b && !with_excluded && dot(r, r) < reach * reach) continue;
+          found.push_back({a, i, b, j});
+        }
+      }
+  return found;
+}
+
+std::vector<Quad> found_pairs(TestWorld& test, const Crowd& crowd, bool with_excluded) {
+  const weft::View<weft::NearPair> pairs = test.take(test.world().near_pairs(with_excluded));
+  std::vector<Quad> found;
+  const auto number = [&](weft::ClothId id) {
+    return uint32_t(std::find(crowd.ids.begin(), crowd.ids.end(), id) - crowd.ids.begin());
+  };
+  for (uint32_t k = 0; k < pairs.count; ++k) {
+    const weft::NearPair& p = pairs[k];
+    found.push_back({number(p.cloth_a), p.vertex_a, number(p.cloth_b), p.vertex_b});
+  }
+  return found;
+}
+
+using Pairs = BothPrecisions;
+
+/// Networks and grids far from the origin, crumpled, with every mixture of settings.
+TEST_P(Pairs, AreThoseOfAllPairsAmongClothsThatMayMeet) {
+  const Vec place{300, -200, 100};
+  weft::WorldDesc desc = plain_world(GetParam());
+  TestWorld test(desc);
+  SelfCollisionDesc search;
+  search.distance = 0.09;
+  test.check(test.world().set_self_collision(search));
+  reference::SplitMix random(11);
+  Crowd crowd;
+  for (uint32_t c = 0; c < 7; ++c) {
+    weft::ClothDesc cloth;
+    cloth.collision_distance = c % 3 == 1 ? 0.13 : 0;
+    cloth.collides_itself = c != 2;
+    cloth.collides_others = c != 5;
+    cloth.collision_layers = c == 3 ? 2 : c == 4 ? 4 : c == 6 ? 6 : ~0u;
+    std::vector<Vec> rest, now;
+    for (uint32_t v = 0; v < 150; ++v) {
+      rest.push_back({0.06 * (v % 15), 0.06 * (v / 15), 0});
+      now.push_back(place + random.noise(0.3));
+    }
+    const std::vector<weft::double3> start = to_weft(now);
+    if (c % 2 == 0) {
+      weft::GridDesc grid;
+      grid.rows = 10;
+      grid.columns = 15;
+      grid.width = 0.06 * 14;
+      grid.height = 0.06 * 9;
+      grid.material.stiffness = 1e-6;
+      cloth.positions = weft::View<weft::double3>(start);
+      crowd.ids.push_back(test.add(grid, cloth));
+    } else {
+      NetworkParts parts;
+      parts.positions = rest;
+      parts.start = now;
+      parts.masses = {1e-3};
+      crowd.ids.push_back(add_network(test, parts, cloth));
+    }
+    crowd.rest.push_back(rest);
+    crowd.settings.push_back(cloth);
+    crowd.now.push_back(now);
+  }
+  for (int n = 0; n < 3; ++n) {
+    for (size_t c = 0; c < crowd.ids.size(); ++c) crowd.now[c] = test.positions(crowd.ids[c], 150);
+    for (const bool with_excluded : {false, true}) {
+      const std::vector<Quad> expected = expected_pairs(crowd, search.distance, with_excluded);
+      EXPECT_EQ(found_pairs(test, crowd, with_excluded), expected) << n << " " << with_excluded;
+      EXPECT_GT(expected.size(), 500u);
+      if (!with_excluded) {
+        EXPECT_EQ(test.take(test.world().contacts()).touching, expected.size());
+      }
+    }
+    test.step(1.0 / 60);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Precision, Pairs, both_precisions(), precision_name);
 
 TEST(SelfCollision, PairsAreAskedForWhereThereIsASearch) {
   TestWorld test;

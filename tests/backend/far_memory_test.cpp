@@ -53,6 +53,8 @@ class FarBackend final : public Backend {
   Status survey(const Frame<double>& f) const noexcept override { return near_.survey(f); }
   Status normals(const Frame<float>& f) const noexcept override { return near_.normals(f); }
   Status normals(const Frame<double>& f) const noexcept override { return near_.normals(f); }
+  Status pairs(const Frame<float>& f) const noexcept override { return near_.pairs(f); }
+  Status pairs(const Frame<double>& f) const noexcept override { return near_.pairs(f); }
   // The caller's buffer is not the device's: the world must ask the host's back end.
   Status write_vertices(const VertexJob<float>&, Workers) const noexcept override {
     return Status::device_lost;

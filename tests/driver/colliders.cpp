@@ -15,6 +15,7 @@ Outcome Run::create_collider(Random& r, ModelWorld& w) {
   const auto spoilt = [&](auto desc) {
     if (bad && field == 0) desc.velocity = r.bad_vector();
     if (bad && field == 1) desc.friction = r.chance(0.5) ? -1 : r.bad();
+    if (r.chance(0.3)) desc.layers = r.below(8);
     return desc;
   };
   weft::Result<weft::ColliderId> made = Status::ok;

@@ -137,6 +137,53 @@ Outcome Run::set_wind(Random& r, ModelWorld& w) {
 
 Outcome Run::clear_wind(Random&, ModelWorld& w) { return {w.world.clear_wind(), Expect::ok, 0}; }
 
+Outcome Run::set_self_collision(Random& r, ModelWorld& w) {
+  weft::SelfCollisionDesc d;
+  d.search = weft::PairSearch(r.below(2));
+  d.distance = std::fabs(number(r, 0.01, 0.15)) + 1e-9;
+  if (r.chance(0.5)) d.friction = std::fabs(number(r, 0, 1));
+  d.cell = std::fabs(number(r, 0.02, 0.4)) + 1e-9;
+  d.shifts = weft::GridShifts(r.below(2));
+  d.grids = d.shifts == weft::GridShifts::corner ? 1u << r.below(4) : r.from_to(1, 6);
+  if (r.chance(0.3)) d.window = r.from_to(1, 5);
+  if (r.chance(0.4)) d.skin = std::fabs(number(r, 0, 0.1));
+  Expect expect = is_extreme_ ? Expect::any : Expect::ok;
+  if (r.chance(0.2)) {
+    expect = Expect::refusal;
+    switch (r.below(7)) {
+      case 0:
+        d.search = weft::PairSearch(r.from_to(2, 255));
+        break;
+      case 1:
+        d.distance = r.chance(0.5) ? 0 : r.bad();
+        break;
+      case 2:
+        d.friction = r.chance(0.5) ? -1e-9 : r.bad();
+        break;
+      case 3:
+        d.cell = r.chance(0.5) ? -1 : r.bad();
+        break;
+      case 4:
+        d.grids = d.shifts == weft::GridShifts::corner ? 3 : 0;
+        break;
+      case 5:
+        d.shifts = weft::GridShifts(r.from_to(2, 255));
+        break;
+      default:
+        d.skin = r.bad();
+    }
+  }
+  const Status status = w.world.set_self_collision(d);
+  if (status == Status::ok) w.collides = true;
+  return {status, expect, 0};
+}
+
+Outcome Run::clear_self_collision(Random&, ModelWorld& w) {
+  const Status status = w.world.clear_self_collision();
+  if (status == Status::ok) w.collides = false;
+  return {status, Expect::ok, 0};
+}
+
 Outcome Run::wake(Random& r, ModelWorld& w) {
   weft::ClothId id;
   const bool is_there = pick_cloth(r, w, id);

@@ -84,7 +84,8 @@ struct ModelWorld {
   std::vector<weft::ColliderId> dead_colliders;
   std::vector<weft::ColliderSetId> dead_sets;
   std::vector<weft::OutputId> dead_outputs;
-  uint32_t number = 0;  ///< of the call that made it
+  uint32_t number = 0;    ///< of the call that made it
+  bool collides = false;  ///< it has self-collision
   bool in_flight = false;
   bool lost = false;  ///< diverged
   double flight_dropped = 0;

@@ -4,6 +4,7 @@
 #include "weft/debug_draw.hpp"
 
 #include <algorithm>
+#include <tuple>
 
 namespace weft_tests::driver {
 
@@ -132,6 +133,56 @@ Outcome Run::read_sums(Random& r, ModelWorld& w) {
     digest.add(s->b);
   }
   return {s.status(), is_there ? Expect::ok : Expect::handle, digest.value()};
+}
+
+Outcome Run::read_pairs(Random& r, ModelWorld& w) {
+  const Expect good = is_extreme_ ? Expect::any : Expect::ok;
+  Digest digest;
+  if (r.chance(0.4)) {
+    const weft::Result<weft::ContactCounts> counts = w.world.contacts();
+    if (!counts) return {counts.status(), good, 0};
+    require(w.collides || counts->touching + counts->excluded + counts->listed == 0,
+            "%llu pairs touch without self-collision",
+            static_cast<unsigned long long>(counts->touching));
+    digest.add(counts->touching);
+    digest.add(counts->excluded);
+    return {Status::ok, good, digest.value()};
+  }
+  const bool with_excluded = r.chance(0.5);
+  const weft::Result<weft::View<weft::NearPair>> pairs = w.world.near_pairs(with_excluded);
+  if (!pairs) return {pairs.status(), w.collides ? good : Expect::refusal, 0};
+  require(w.collides, "pairs of a world that searches none");
+  const uint32_t count = pairs->count;
+  weft::NearPair before{};
+  for (uint32_t i = 0; i < count; ++i) {
+    const weft::NearPair& p = (*pairs)[i];
+    const auto place = [&](weft::ClothId id) {
+      size_t at = 0;
+      while (at < w.cloths.size() && w.cloths[at].id != id) ++at;
+      require(at < w.cloths.size(), "a pair of a cloth that is not there");
+      return at;
+    };
+    const size_t a = place(p.cloth_a), b = place(p.cloth_b);
+    require(p.vertex_a < w.cloths[a].vertices && p.vertex_b < w.cloths[b].vertices,
+            "a pair of vertices that are not there");
+    require(a < b || (a == b && p.vertex_a < p.vertex_b), "a pair the other way round");
+    if (i > 0) {
+      const size_t last_a = place(before.cloth_a), last_b = place(before.cloth_b);
+      const bool ascends = std::tie(last_a, before.vertex_a, last_b, before.vertex_b) <
+                           std::tie(a, p.vertex_a, b, p.vertex_b);
+      require(ascends, "pairs that do not ascend");
+    }
+    before = p;
+    digest.add(a);
+    digest.add(b);
+    digest.add(p.vertex_a);
+    digest.add(p.vertex_b);
+  }
+  const weft::Result<weft::ContactCounts> counts = w.world.contacts();
+  if (!counts) return {counts.status(), good, 0};
+  require(with_excluded ? counts->touching <= count : counts->touching == count,
+          "%llu pairs touch of %u found", static_cast<unsigned long long>(counts->touching), count);
+  return {Status::ok, good, digest.value()};
 }
 
 Outcome Run::ask_any_time(Random& r, ModelWorld& w) {

@@ -180,6 +180,8 @@ class Run {
   Outcome set_gravity(Random&, ModelWorld&);
   Outcome set_wind(Random&, ModelWorld&);
   Outcome clear_wind(Random&, ModelWorld&);
+  Outcome set_self_collision(Random&, ModelWorld&);
+  Outcome clear_self_collision(Random&, ModelWorld&);
   Outcome wake(Random&, ModelWorld&);
 
   // time.cpp
@@ -197,6 +199,7 @@ class Run {
   Outcome read_points(Random&, ModelWorld&);
   Outcome read_vectors(Random&, ModelWorld&);
   Outcome read_sums(Random&, ModelWorld&);
+  Outcome read_pairs(Random&, ModelWorld&);
   Outcome ask_any_time(Random&, ModelWorld&);
   Outcome ask_about_cloth(Random&, ModelWorld&);
   Outcome debug_draw(Random&, ModelWorld&);

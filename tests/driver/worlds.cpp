@@ -186,17 +186,26 @@ Outcome Run::create_cloth(Random& r, ModelWorld& w) {
   d.tether_scale = r.chance(0.7) ? 0 : r.real(0.8, 1.5);
   d.tether_compliance = r.chance(0.5) ? 0 : r.real(0, 0.01);
   d.drag_model = weft::DragModel(r.below(2));
+  d.collision_distance = r.chance(0.6) ? 0 : std::fabs(number(r, 0.01, 0.1));
+  d.collides_itself = r.chance(0.9) ? 1 : 0;
+  d.collides_others = r.chance(0.9) ? 1 : 0;
+  if (r.chance(0.3)) d.collision_layers = r.below(8);
   if (expect != Expect::refusal && r.chance(0.15)) {
     expect = Expect::refusal;
     const uint32_t n = cloth.vertices;
     switch (r.below(9)) {
       case 0: {
-        const weft::ClothNumber& number = weft::cloth_numbers[r.below(6)];
+        const weft::ClothNumber& number =
+            weft::cloth_numbers[r.below(std::size(weft::cloth_numbers))];
         d.*number.value = r.chance(0.5) ? -1e-9 : r.bad();
         break;
       }
       case 1:
-        d.drag_model = weft::DragModel(r.from_to(2, 255));
+        if (r.chance(0.5)) {
+          d.drag_model = weft::DragModel(r.from_to(2, 255));
+        } else {
+          d.collides_others = static_cast<uint8_t>(r.from_to(2, 255));
+        }
         break;
       case 2:
         pins.push_back({n + r.below(4), weft::Pin::fixed});

@@ -43,7 +43,6 @@ TEST(Cli, BadUsageIsExitCode2) {
 
 TEST(Cli, LaterCommandsSaySo) {
   expect_failure(run_weft("accuracy s.json --tolerance 1e-3"), 2, "not available in this version");
-  expect_failure(run_weft("recall s.json"), 2, "not available in this version");
 }
 
 TEST(Cli, UnknownBenchIsExitCode2) { expect_failure(run_weft("bench nothing"), 2, "bench: "); }

@@ -313,12 +313,12 @@ class ArenaOf final : public Arena, public HostObject {
     Status status = copy_vectors(sim_.x[0], sim_.contacts.start_x);
     if (status == Status::ok) status = copy_vectors(d, sim_.contacts.start_d);
     const Simulation<T> start = sim_;
-    frame.list_age = contacts_.age();
+    contacts_.give_age(frame);
     for (bool wanted = true; status == Status::ok && frame.begin < frame.substeps && wanted;) {
       status = backend_.frame(frame);
-      contacts_.age() = frame.list_age;
+      contacts_.take_age(frame);
       if (status == Status::ok) status = contacts_.make_room(frame.sim, wanted);
-      frame.list_age = contacts_.age();
+      contacts_.give_age(frame);
     }
     if (status != Status::out_of_memory) return status;
     frame.sim = start;

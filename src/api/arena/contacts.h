@@ -24,7 +24,14 @@ class ContactTables {
   Status wake_touched(const ArenaInput&, const Simulation<T>&);
   /// The list is of no more use: where particles are has changed without a step.
   void forget_list() { age_ = -1; }
-  int& age() { return age_; }
+  void give_age(Frame<T>& frame) const {
+    frame.list_age = age_;
+    frame.list_since = since_;
+  }
+  void take_age(const Frame<T>& frame) {
+    age_ = frame.list_age;
+    since_ = frame.list_since;
+  }
 
   Status near_pairs(const ArenaInput&, const Simulation<T>&, const Vector<Vec3<T>>& positions,
                     bool with_excluded, Vector<NearPair>&);
@@ -42,7 +49,7 @@ class ContactTables {
   DeviceMemory memory_;  ///< of the list
   Vector<ContactCloth> cloths_;
   Vector<unsigned long long> woken_;
-  int age_ = -1;
+  int age_ = -1, since_ = -1;
   uint64_t lists_ = 0, listed_ = 0, lists_before_ = 0;
 };
 

@@ -169,7 +169,9 @@ struct PlanCells {
     int bits[3], total = 0;
     for (int axis = 0; axis < 3; ++axis) {
       const double apart = double(state.horizon) * (all.fastest[axis] - all.slowest[axis]);
-      size[axis] = (reach + apart) * (1.0 + 1e-6);
+      state.reach[axis] = (reach + apart) * (1.0 + 1e-6);
+      // Along x a run of cells is looked through at once. Across it, larger cells make fewer runs.
+      size[axis] = axis == 0 ? state.reach[axis] : 2.0 * state.reach[axis];
       const double cells = (all.high[axis] - all.low[axis]) / size[axis] + 1.0;
       bits[axis] = 2;
       while (bits[axis] < 24 && double(1 << bits[axis]) < cells) ++bits[axis];

@@ -31,6 +31,7 @@ struct ContactBox {
 struct ContactState {
   double low[3];           ///< m: where cell 0 begins
   double inverse_cell[3];  ///< 1/m
+  double reach[3];         ///< m: no pair of the list is further apart along an axis
   uint32_t mask[3];        ///< of the cell's number along an axis, before
   int32_t shift[3];        ///< it is put into the key
   double slack;            ///< m: what rounding may make of a distance

@@ -145,7 +145,7 @@ def write_balls(folder):
       "mass": 0.4,
       "stiffness": { "stretch": 60, "shear": 20, "bend": 0.5 },
       "damping": { "drag": 2e-5, "spring": 0.0005 },
-      "collision": { "distance": 0.0114 },
+      "collision": { "distance": 0.0133 },
       "pins": [ { "rows": [0, 87] } ]
     },
 """ + ",\n".join(balls) + """
@@ -153,7 +153,7 @@ def write_balls(folder):
   "colliders": [ { "plane": { "normal": [0, 1, 0], "offset": 0 }, "friction": 0.4 } ],
   "camera": { "eye": [2.3, 1.25, 2.1], "target": [0, 0.68, 0] },
   "wind": { "velocity": [0.5, 0, 1.5] },
-  "self_collision": { "method": "complete", "distance": 0.012, "friction": 0.2 }
+  "self_collision": { "method": "complete", "distance": 0.0133, "friction": 0.2 }
 }
 """)
 

@@ -1,5 +1,5 @@
-"""Writes scenes again without their self-collision, for the comparison, and prints the paths of all:
-each scene, and behind it the one without. usage: demo_scenes.py OUT SCENE.json..."""
+"""Writes scenes again without self-collision, to compare, and prints the paths of all: each scene,
+and behind it the one without. usage: demo_scenes.py OUT SCENE.json..."""
 
 import json
 import os

@@ -1,4 +1,4 @@
-"""Writes the sample scenes that need meshes: a skirt of two layers on a body, and two elastic balls.
+"""Writes the sample scenes that need meshes: a skirt of two layers on a body, two elastic balls.
 usage: scene_meshes.py samples/scenes"""
 
 import math

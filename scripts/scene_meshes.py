@@ -95,8 +95,8 @@ def write_skirt(folder):
     around = 72
     vertices, faces = cone(around, 30, 0.135, 0.27, 0.5)
     write_obj(os.path.join(folder, "skirt.obj"), vertices, faces)
-    layers = [skirt_layer("lining", vertices, around, 1.0, 0.0145, 0.15),
-              skirt_layer("skirt", vertices, around, 1.12, 0.016, 0.2)]
+    layers = [skirt_layer("skirt", vertices, around, 1.12, 0.016, 0.2),
+              skirt_layer("lining", vertices, around, 1.0, 0.0145, 0.15)]
     with open(os.path.join(folder, "skirt.json"), "w", encoding="utf-8") as file:
         file.write("""{
   "weft": 1,

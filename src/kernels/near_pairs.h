@@ -138,7 +138,7 @@ struct CompleteFinder {
     uint32_t first[3];
     int cells[3];
     for (int axis = 0; axis < 3; ++axis) {
-      const double inverse = state.inverse_cell[axis], reach = state.reach[axis];
+      const double inverse = state.inverse_cell[axis], reach = all.reach[axis];
       first[axis] = floor_bits((all.low[axis] - reach) * inverse);
       cells[axis] = 1 + static_cast<int>(floor_bits((all.high[axis] + reach) * inverse) -
                                          first[axis]);
@@ -196,7 +196,8 @@ struct CompleteFinder {
     double low[3], high[3];         ///< from state.low: of all
     Vec3<T> near_low, near_high;    ///< the same while they drift, relative to their mean drift
     Vec3<T> mean;
-    int first;  ///< particle
+    double reach[3];  ///< m: how far away what they look for can be
+    int first;        ///< particle
     bool any;
   };
 
@@ -208,7 +209,8 @@ struct CompleteFinder {
     all.horizon = T(state.horizon);
     all.any = false;
     all.first = i;
-    all.most_radius = T(0.5 * (cloth.distance + state.slack) + (lasts ? c.skin : 0.0));
+    all.most_radius = T(0);
+    const T half = T(0.5 * (cloth.distance + state.slack));
     const T far = T(1e30);
     Vec3<T> slow{far, far, far}, fast{-far, -far, -far};
     for (int l = 0; l < G; ++l) {
@@ -222,8 +224,10 @@ struct CompleteFinder {
       const Vec3<T> drift = lasts ? load(c.drift, at) : Vec3<T>{T(0), T(0), T(0)};
       all.spot.set(l, {T(from_low[0]), T(from_low[1]), T(from_low[2])});
       all.drift.set(l, drift);
-      all.radius[l] = live ? all.most_radius : T(-1e30);
+      const T radius = half + (lasts ? c.skin_of[at] : T(0));
+      all.radius[l] = live ? radius : T(-1e30);
       if (!live) continue;
+      all.most_radius = larger(all.most_radius, radius);
       slow = {smaller(slow.x, drift.x), smaller(slow.y, drift.y), smaller(slow.z, drift.z)};
       fast = {larger(fast.x, drift.x), larger(fast.y, drift.y), larger(fast.z, drift.z)};
       for (int axis = 0; axis < 3; ++axis) {
@@ -233,10 +237,57 @@ struct CompleteFinder {
       all.any = true;
     }
     if (!all.any) return;
+    look_around(c, slow, fast, all);
     all.mean = T(0.5) * (slow + fast);
     const Vec3<T> spread = (T(0.5) * all.horizon) * (fast - slow);
     all.near_low = Vec3<T>{T(all.low[0]), T(all.low[1]), T(all.low[2])} - spread;
     all.near_high = Vec3<T>{T(all.high[0]), T(all.high[1]), T(all.high[2])} + spread;
+  }
+
+  /// How far they have to look, by how those around them drift.
+  template <int G>
+  WEFT_HD static void look_around(const Contacts<T>& c, Vec3<T> slow, Vec3<T> fast, Group<G>& all) {
+    const ContactState& state = *c.state;
+    uint32_t first[3];
+    int zones[3];
+    for (int axis = 0; axis < 3; ++axis) {
+      all.reach[axis] = state.reach[axis];
+      if (state.horizon == 0) continue;
+      first[axis] = zone_along(state, axis, all.low[axis] - state.reach[axis]);
+      const auto count =
+          zone_along(state, axis, all.high[axis] + state.reach[axis]) - first[axis] + 1u;
+      zones[axis] = count < (1u << zone_bits) ? static_cast<int>(count) : 1 << zone_bits;
+    }
+    if (state.horizon == 0) return;
+    unsigned long long slowest[3], fastest[3], skin = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+      slowest[axis] = ~0ull;
+      fastest[axis] = 0;
+    }
+    for (int z = 0; z < zones[2]; ++z) {
+      for (int y = 0; y < zones[1]; ++y) {
+        for (int x_ = 0; x_ < zones[0]; ++x_) {
+          const ContactZone& zone = c.zone[zone_of(first[0] + static_cast<uint32_t>(x_),
+                                                   first[1] + static_cast<uint32_t>(y),
+                                                   first[2] + static_cast<uint32_t>(z))];
+          for (int axis = 0; axis < 3; ++axis) {
+            slowest[axis] = smaller(slowest[axis], zone.slowest[axis]);
+            fastest[axis] = larger(fastest[axis], zone.fastest[axis]);
+          }
+          skin = larger(skin, zone.most_skin);
+        }
+      }
+    }
+    const double own_slow[3] = {double(slow.x), double(slow.y), double(slow.z)};
+    const double own_fast[3] = {double(fast.x), double(fast.y), double(fast.z)};
+    const double still = double(all.most_radius) + 0.5 * (c.most_distance + state.slack);
+    for (int axis = 0; axis < 3; ++axis) {
+      const double apart = larger(unordered(fastest[axis]) - own_slow[axis],
+                                  own_fast[axis] - unordered(slowest[axis]));
+      const double reach =
+          (still + unordered(skin) + double(state.horizon) * apart) * (1.0 + 1e-6);
+      all.reach[axis] = smaller(reach, state.reach[axis]);
+    }
   }
 
   /// Keeps, of a run of the sorted order, what comes near the box of all.

@@ -104,12 +104,26 @@ struct ContactBounds {
   }
 };
 
+/// Before the first substep of a frame whose lists nobody looks at until its end.
+template <class T>
+struct ForgetLists {
+  Contacts<T> contacts;
+
+  template <int N>
+  WEFT_HD void operator()(int, int lane0, Lanes<N>) const {
+    if (lane0 != 0) return;
+    contacts.state->outrun = 0;
+    contacts.state->most = 0;
+  }
+};
+
 /// Chooses the cells, and for how many substeps a list is made. One block, one lane.
 template <class T>
 struct PlanCells {
   Contacts<T> contacts;
   int blocks;
   bool lasting;  ///< the list is to outlive this substep
+  int given;     ///< for so many that the host has chosen; 0: the choice is made here
 
   template <int N>
   WEFT_HD void operator()(int, int lane0, Lanes<N>) const {
@@ -140,7 +154,6 @@ struct PlanCells {
 
   WEFT_HD void choose(const ContactBox& all, ContactState& state) const {
     state.used = 0;
-    state.outrun = 0;
     state.lists += 1;
     state.horizon = 0;
     double furthest = 0.0, extent = 0.0, speed = 0.0, spread = 0.0;
@@ -153,8 +166,14 @@ struct PlanCells {
     if (lasting) {
       const double fits = spread > 0.0 ? most_drift * contacts.most_distance / spread : 1e9;
       int horizon = fits < double(longest) ? static_cast<int>(fits) : longest;
-      if (horizon > state.limit) horizon = state.limit;
-      if (horizon < 1) {
+      if (given > 0) {
+        if (state.outrun == 0) state.limit = horizon;
+        if (horizon < given) state.outrun = 1;  // with cells that large they would all be near
+        horizon = horizon < given ? 0 : given;
+      } else if (horizon > state.limit) {
+        horizon = state.limit;
+      }
+      if (given == 0 && horizon < 1) {
         state.wait = 8;
         return;
       }

@@ -306,25 +306,40 @@ class ArenaOf final : public Arena, public HostObject {
     return status;
   }
 
-  /// A frame that is gone on with when its list of pairs has got more room; without memory for it
-  /// the frame has not been.
+  /// A frame that is gone on with when its list of pairs has got more room, or made again where
+  /// nobody could look at the lists; without memory for them the frame has not been.
   Status frame_with_contact(Frame<T>& frame) {
     const Vec3Array<T> d = frame.position_form ? sim_.x[2] : sim_.d[0];
     Status status = copy_vectors(sim_.x[0], sim_.contacts.start_x);
     if (status == Status::ok) status = copy_vectors(d, sim_.contacts.start_d);
     const Simulation<T> start = sim_;
-    contacts_.give_age(frame);
-    for (bool wanted = true; status == Status::ok && frame.begin < frame.substeps && wanted;) {
+    FrameVerdict verdict = FrameVerdict::to_go_on;
+    while (status == Status::ok && verdict != FrameVerdict::done) {
+      contacts_.give_age(frame);
       status = backend_.frame(frame);
       contacts_.take_age(frame);
-      if (status == Status::ok) status = contacts_.make_room(frame.sim, wanted);
-      contacts_.give_age(frame);
+      if (status == Status::ok) status = contacts_.judge(frame, verdict);
+      if (status == Status::ok && verdict == FrameVerdict::to_make_again) {
+        status = back_to(start, d, frame);
+      }
     }
-    if (status != Status::out_of_memory) return status;
+    if (status == Status::out_of_memory) back_to(start, d, frame);
+    return status;
+  }
+  /// To the start of the frame. What the sleepers have in the other buffers is the same; who was
+  /// touched, and what left its range, may have been so only in what is forgotten now.
+  Status back_to(const Simulation<T>& start, const Vec3Array<T>& d, Frame<T>& frame) {
+    const Contacts<T> now = frame.sim.contacts;
     frame.sim = start;
-    contacts_.forget_list();
-    copy_vectors(start.contacts.start_x, start.x[0]);
-    copy_vectors(start.contacts.start_d, d);
+    frame.sim.contacts = now;
+    frame.begin = 0;
+    contacts_.forget_motion();
+    Status status = copy_vectors(start.contacts.start_x, start.x[0]);
+    if (status == Status::ok) status = copy_vectors(start.contacts.start_d, d);
+    if (status == Status::ok) status = contacts_.forget_touched(start);
+    if (status == Status::ok && start.edges.overflow) {
+      status = backend_.to_device(start.edges.overflow, &no_overflow, sizeof no_overflow);
+    }
     return status;
   }
 

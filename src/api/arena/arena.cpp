@@ -235,6 +235,7 @@ class ArenaOf final : public Arena, public HostObject {
   }
 
   uint64_t bytes() const override { return device_.bytes + contacts_.bytes(); }
+  uint64_t list_bytes() const override { return contacts_.bytes(); }
 
  private:
   int stride() const { return backend_.info().vector_stride; }

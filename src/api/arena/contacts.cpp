@@ -54,8 +54,6 @@ double usual_skin(const ArenaInput& in, double least_distance) {
   return skin;
 }
 
-constexpr int64_t least_entries = 4096;
-
 }  // namespace
 
 template <class T>
@@ -113,10 +111,9 @@ Status ContactTables<T>::prepare(const ArenaInput& in, Simulation<T>& sim) {
   state.backoff = 1;
   Status status = backend_.to_device(c.state, &state, sizeof state);
   if (status != Status::ok) return status;
-  const auto particles = int64_t(sim.blocks) * block_size;
   if (!memory_.data()) {
-    const int64_t entries = std::max(least_entries, 2 * particles);
-    status = memory_.allocate(static_cast<size_t>(entries) * sizeof(int32_t));
+    const auto entries = static_cast<size_t>(plan::first_list_entries(in.shape));
+    status = memory_.allocate(entries * sizeof(int32_t));
     if (status != Status::ok) return status;
   }
   c.entry = reinterpret_cast<int32_t*>(memory_.data());

@@ -120,8 +120,8 @@ struct WriteRows {
 };
 
 /// Every pair that the list must hold. Particles that follow each other in memory are mostly near
-/// each other: eight of them look through the cells around all eight together, each candidate
-/// against the eight at once.
+/// each other: eight of them look through the cells around all eight together. What comes near
+/// their common box is then compared with each, the eight at once.
 template <class T>
 struct CompleteFinder {
   Vec3Array<T> x;
@@ -136,21 +136,25 @@ struct CompleteFinder {
     Group<G> all;
     gather(c, i, count, of_cloth, all);
     if (!all.any) return;
+    uint32_t first[3];
     int cells[3];
-    for (int axis = 0; axis < 3; ++axis) cells[axis] = all.high[axis] - all.low[axis] + 3;
+    for (int axis = 0; axis < 3; ++axis) {
+      const double inverse = state.inverse_cell[axis], reach = all.reach[axis];
+      first[axis] = floor_bits((all.low[axis] - reach) * inverse);
+      cells[axis] = 1 + static_cast<int>(floor_bits((all.high[axis] + reach) * inverse) -
+                                         first[axis]);
+    }
     if constexpr (G > 1) {
       // Who are far from each other look alone.
-      if (cells[0] > 3 * G || cells[1] > 3 * G || cells[2] > 3 * G ||
-          cells[1] * cells[2] > 16 * G) {
+      if (cells[0] > 4 * G || cells[1] > 2 * G || cells[2] > 2 * G ||
+          cells[1] * cells[2] > 8 * G) {
         for (int l = 0; l < count; ++l) {
           search<1>(sim, i + l, 1, of_cloth, [&](int, int32_t j, int of_j) { emit(l, j, of_j); });
         }
         return;
       }
     }
-    uint32_t first[3];
     for (int axis = 0; axis < 3; ++axis) {
-      first[axis] = static_cast<uint32_t>(all.low[axis] - 1);
       const auto along = static_cast<int64_t>(state.mask[axis]) + 1;
       if (cells[axis] > along) cells[axis] = static_cast<int>(along);
     }
@@ -161,31 +165,40 @@ struct CompleteFinder {
     };
     const uint32_t left = first[0] & state.mask[0];
     const uint32_t right = (first[0] + static_cast<uint32_t>(cells[0]) - 1u) & state.mask[0];
+    int32_t kept[most_kept];
+    int n = 0;
     for (int dz = 0; dz < cells[2]; ++dz) {
+      const uint32_t z = ((first[2] + static_cast<uint32_t>(dz)) & state.mask[2]) << state.shift[2];
       for (int dy = 0; dy < cells[1]; ++dy) {
         const uint32_t y = (first[1] + static_cast<uint32_t>(dy)) & state.mask[1];
-        const uint32_t z = (first[2] + static_cast<uint32_t>(dz)) & state.mask[2];
-        const uint32_t row = y << state.shift[1] | z << state.shift[2];
+        const uint32_t row = y << state.shift[1] | z;
         if (left <= right) {
-          scan(c, all, c.cell_start[row | left], c.cell_start[(row | right) + 1u], candidate);
+          n = keep(c, all, c.cell_start[row | left], c.cell_start[(row | right) + 1u], kept, n,
+                   candidate);
         } else {  // around the end
-          scan(c, all, c.cell_start[row], c.cell_start[(row | right) + 1u], candidate);
-          scan(c, all, c.cell_start[row | left], c.cell_start[(row | state.mask[0]) + 1u],
-               candidate);
+          n = keep(c, all, c.cell_start[row], c.cell_start[(row | right) + 1u], kept, n, candidate);
+          n = keep(c, all, c.cell_start[row | left], c.cell_start[(row | state.mask[0]) + 1u], kept,
+                   n, candidate);
         }
       }
     }
+    compare(c, all, kept, n, candidate);
   }
 
  private:
+  static constexpr int most_kept = 64, chunk = 4, run = 8;
+
   /// Particles that look for all that come nearer than the radii of both while both drift.
   template <int G>
   struct Group {
     LaneVec3<T, G> spot, drift;
-    T radius[G];  ///< no number where nothing is to be found
-    T horizon;
-    int low[3], high[3];  ///< of their cells
-    int first;            ///< particle
+    T radius[G];  ///< below zero where nothing is to be found
+    T horizon, most_radius;
+    double low[3], high[3];         ///< from state.low: of all
+    Vec3<T> near_low, near_high;    ///< the same while they drift, relative to their mean drift
+    Vec3<T> mean;
+    double reach[3];  ///< m: how far away what they look for can be
+    int first;        ///< particle
     bool any;
   };
 
@@ -197,7 +210,10 @@ struct CompleteFinder {
     all.horizon = T(state.horizon);
     all.any = false;
     all.first = i;
-    const T radius = T(0.5 * (cloth.distance + state.slack) + (lasts ? c.skin : 0.0));
+    all.most_radius = T(0);
+    const T half = T(0.5 * (cloth.distance + state.slack));
+    const T far = T(1e30);
+    Vec3<T> slow{far, far, far}, fast{-far, -far, -far};
     for (int l = 0; l < G; ++l) {
       const int at = l < count ? i + l : i;
       const Vec3<T> now = load(x, at);
@@ -206,41 +222,135 @@ struct CompleteFinder {
       const double from_low[3] = {in_world(now.x, cloth.origin[0]) - state.low[0],
                                   in_world(now.y, cloth.origin[1]) - state.low[1],
                                   in_world(now.z, cloth.origin[2]) - state.low[2]};
+      const Vec3<T> drift = lasts ? load(c.drift, at) : Vec3<T>{T(0), T(0), T(0)};
       all.spot.set(l, {T(from_low[0]), T(from_low[1]), T(from_low[2])});
-      all.drift.set(l, lasts ? load(c.drift, at) : Vec3<T>{T(0), T(0), T(0)});
+      all.drift.set(l, drift);
+      const T radius = half + (lasts ? c.skin_of[at] : T(0));
       all.radius[l] = live ? radius : T(-1e30);
       if (!live) continue;
+      all.most_radius = larger(all.most_radius, radius);
+      slow = {smaller(slow.x, drift.x), smaller(slow.y, drift.y), smaller(slow.z, drift.z)};
+      fast = {larger(fast.x, drift.x), larger(fast.y, drift.y), larger(fast.z, drift.z)};
       for (int axis = 0; axis < 3; ++axis) {
-        const auto cell = static_cast<int>(floor_bits(from_low[axis] * state.inverse_cell[axis]));
-        all.low[axis] = !all.any || cell < all.low[axis] ? cell : all.low[axis];
-        all.high[axis] = !all.any || cell > all.high[axis] ? cell : all.high[axis];
+        all.low[axis] = all.any ? smaller(all.low[axis], from_low[axis]) : from_low[axis];
+        all.high[axis] = all.any ? larger(all.high[axis], from_low[axis]) : from_low[axis];
       }
       all.any = true;
     }
+    if (!all.any) return;
+    look_around(c, slow, fast, all);
+    all.mean = T(0.5) * (slow + fast);
+    const Vec3<T> spread = (T(0.5) * all.horizon) * (fast - slow);
+    all.near_low = Vec3<T>{T(all.low[0]), T(all.low[1]), T(all.low[2])} - spread;
+    all.near_high = Vec3<T>{T(all.high[0]), T(all.high[1]), T(all.high[2])} + spread;
+  }
+
+  /// How far they have to look, by how those around them drift.
+  template <int G>
+  WEFT_HD static void look_around(const Contacts<T>& c, Vec3<T> slow, Vec3<T> fast, Group<G>& all) {
+    const ContactState& state = *c.state;
+    uint32_t first[3];
+    int zones[3];
+    for (int axis = 0; axis < 3; ++axis) {
+      all.reach[axis] = state.reach[axis];
+      if (state.horizon == 0) continue;
+      first[axis] = zone_along(state, axis, all.low[axis] - state.reach[axis]);
+      const auto count =
+          zone_along(state, axis, all.high[axis] + state.reach[axis]) - first[axis] + 1u;
+      zones[axis] = count < (1u << zone_bits) ? static_cast<int>(count) : 1 << zone_bits;
+    }
+    if (state.horizon == 0) return;
+    unsigned long long slowest[3], fastest[3], skin = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+      slowest[axis] = ~0ull;
+      fastest[axis] = 0;
+    }
+    for (int z = 0; z < zones[2]; ++z) {
+      for (int y = 0; y < zones[1]; ++y) {
+        for (int x_ = 0; x_ < zones[0]; ++x_) {
+          const ContactZone& zone = c.zone[zone_of(first[0] + static_cast<uint32_t>(x_),
+                                                   first[1] + static_cast<uint32_t>(y),
+                                                   first[2] + static_cast<uint32_t>(z))];
+          for (int axis = 0; axis < 3; ++axis) {
+            slowest[axis] = smaller(slowest[axis], zone.slowest[axis]);
+            fastest[axis] = larger(fastest[axis], zone.fastest[axis]);
+          }
+          skin = larger(skin, zone.most_skin);
+        }
+      }
+    }
+    const double own_slow[3] = {double(slow.x), double(slow.y), double(slow.z)};
+    const double own_fast[3] = {double(fast.x), double(fast.y), double(fast.z)};
+    const double still = double(all.most_radius) + 0.5 * (c.most_distance + state.slack);
+    for (int axis = 0; axis < 3; ++axis) {
+      const double apart = larger(unordered(fastest[axis]) - own_slow[axis],
+                                  own_fast[axis] - unordered(slowest[axis]));
+      const double reach =
+          (still + unordered(skin) + double(state.horizon) * apart) * (1.0 + 1e-6);
+      all.reach[axis] = smaller(reach, state.reach[axis]);
+    }
+  }
+
+  /// Keeps, of a run of the sorted order, what comes near the box of all.
+  template <int G, class Candidate>
+  WEFT_HD static int keep(const Contacts<T>& c, const Group<G>& all, uint32_t begin, uint32_t end,
+                          int32_t* kept, int n, const Candidate& candidate) {
+    const Vec3Array<T> spots = c.spot, drifts = c.drift_of_spot;
+    const T* radii = c.radius_of_spot;
+    const Vec3<T> low = all.near_low, high = all.near_high, mean = all.mean;
+    const T horizon = all.horizon, own = all.most_radius, zero = T(0);
+    for (uint32_t from = begin; from < end; from += run) {
+      const int q0 = static_cast<int>(from);
+      const uint32_t rest = end - from;
+      const int real = rest < uint32_t(run) ? static_cast<int>(rest) : run;
+      int32_t near[run];
+      Lanes<run>{}.each([&](int k) WEFT_LANE {
+        const Vec3<T> spot = load(spots, q0 + k);
+        const Vec3<T> way = horizon * (load(drifts, q0 + k) - mean);
+        const T reach = own + radii[q0 + k];
+        const bool in_x = (spot.x + larger(way.x, zero) >= low.x - reach) &
+                          (spot.x + smaller(way.x, zero) <= high.x + reach);
+        const bool in_y = (spot.y + larger(way.y, zero) >= low.y - reach) &
+                          (spot.y + smaller(way.y, zero) <= high.y + reach);
+        const bool in_z = (spot.z + larger(way.z, zero) >= low.z - reach) &
+                          (spot.z + smaller(way.z, zero) <= high.z + reach);
+        near[k] = in_x & in_y & in_z ? 1 : 0;
+      });
+      if (n + run > most_kept) {
+        compare(c, all, kept, n, candidate);
+        n = 0;
+      }
+      for (int k = 0; k < real; ++k) {
+        kept[n] = q0 + k;
+        n += near[k];
+      }
+    }
+    return n;
   }
 
   template <int G, class Candidate>
-  WEFT_HD static void scan(const Contacts<T>& c, const Group<G>& all, uint32_t begin, uint32_t end,
-                           const Candidate& candidate) {
-    constexpr int chunk = 4;
+  WEFT_HD_COLD static void compare(const Contacts<T>& c, const Group<G>& all, const int32_t* kept,
+                                   int n, const Candidate& candidate) {
     const T horizon = all.horizon, horizon2 = horizon * horizon;
     const Vec3Array<T> spots = c.spot, drifts = c.drift_of_spot;
     const T* radii = c.radius_of_spot;
     const uint32_t* elements = c.element;
-    for (uint32_t from = begin; from < end; from += chunk) {
-      const int q0 = static_cast<int>(from);
+    const LaneVec3<T, G> own = all.spot, own_drift = all.drift;  // loops read locals only
+    T own_radius[G];
+    for (int l = 0; l < G; ++l) own_radius[l] = all.radius[l];
+    for (int from = 0; from < n; from += chunk) {
       alignas(64) T excess[chunk][G];
       WEFT_UNROLL
       for (int k = 0; k < chunk; ++k) {
-        const Vec3<T> spot = load(spots, q0 + k), drift = load(drifts, q0 + k);
-        // Behind the end lies what is another cell's, or room.
-        const T radius = from + static_cast<uint32_t>(k) < end ? radii[q0 + k] : T(-1e30);
-        const int self = static_cast<int>(elements[q0 + k]) - all.first;
+        const int q = kept[from + k < n ? from + k : from];
+        const Vec3<T> spot = load(spots, q), drift = load(drifts, q);
+        const T radius = from + k < n ? radii[q] : T(-1e30);
+        const int self = static_cast<int>(elements[q]) - all.first;
         Lanes<G>{}.each([&](int l) WEFT_LANE {
           // |d + t v|^2 - reach^2 at the start, at the end, and, times v^2, where it is least. The
           // hair covers the rounding of the last.
-          const Vec3<T> d = spot - all.spot.get(l), v = drift - all.drift.get(l);
-          const T reach = larger(radius + all.radius[l], T(0));
+          const Vec3<T> d = spot - own.get(l), v = drift - own_drift.get(l);
+          const T reach = larger(radius + own_radius[l], T(0));
           const T dv = dot(d, v), v2 = dot(v, v);
           const T at_start = dot(d, d) - T(1.00001) * (reach * reach);
           const T at_end = at_start + (T(2) * horizon * dv + horizon2 * v2);
@@ -256,8 +366,9 @@ struct CompleteFinder {
       });
       if (!any) continue;
       for (int k = 0; k < chunk; ++k) {
+        const int q = kept[from + k < n ? from + k : from];
         for (int l = 0; l < G; ++l) {
-          if (excess[k][l] < T(0)) candidate(l, q0 + k);
+          if (excess[k][l] < T(0)) candidate(l, q);
         }
       }
     }

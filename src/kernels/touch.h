@@ -26,10 +26,11 @@ template <class T, int N>
 WEFT_HD_COLD bool has_outrun(const Contacts<T>& c, Vec3Array<T> x, int end, int i0,
                              Lanes<N> lanes) {
   const Vec3Array<T> from = c.from, drift = c.drift;
-  const T age = c.age, skin2 = T(c.skin) * T(c.skin);
+  const T age = c.age;
+  const T* skin = c.skin_of;
   return lanes.any([=](int l) WEFT_LANE {
     const Vec3<T> off = (load(x, i0 + l) - load(from, i0 + l)) - age * load(drift, i0 + l);
-    return (i0 + l < end) & (dot(off, off) > skin2);
+    return (i0 + l < end) & (dot(off, off) > skin[i0 + l] * skin[i0 + l]);
   });
 }
 

@@ -22,17 +22,28 @@ struct ContactCloth {
   int32_t itself, others;  ///< 1: its particles meet each other, those of other cloths
 };
 
-/// Of a block: bounds of the positions (world), and of the displacements.
+/// Of a block: bounds of the positions (world), of the displacements, and of the skins.
 struct ContactBox {
   double low[3], high[3], slowest[3], fastest[3];
+  double most_skin;  ///< m
 };
+
+/// Bounds of the drifts and skins of the particles in a part of space, so that who is calm and among
+/// calm ones need not look as far as who is not. Doubles in the order of unsigned integers.
+struct ContactZone {
+  unsigned long long slowest[3], fastest[3], most_skin;
+};
+constexpr int zone_bits = 4, contact_zones = 1 << (3 * zone_bits);  ///< along an axis; all
 
 /// Scalars of the search that live on the device: one element.
 struct ContactState {
   double low[3];           ///< m: where cell 0 begins
   double inverse_cell[3];  ///< 1/m
+  double inverse_zone[3];  ///< 1/m
+  double reach[3];         ///< m: no pair of the list is further apart along an axis
   uint32_t mask[3];        ///< of the cell's number along an axis, before
   int32_t shift[3];        ///< it is put into the key
+  double calm[3];          ///< m: the least displacement of a substep among all
   double slack;            ///< m: what rounding may make of a distance
   int32_t horizon;         ///< substeps that the list is made for; 0: of these positions alone
   int32_t limit;           ///< most substeps that a list is tried for; where the host cannot see
@@ -55,7 +66,7 @@ struct Contacts {
   double cell;             ///< m: of Search::staggered
   double shift[3];         ///< m: of its grid at hand
   int32_t diagonal;        ///< its shifts go along (1,1,1)
-  double skin;             ///< m: of each particle; 0: the list is of these positions alone
+  double skin;             ///< m: of a particle that goes its way; 0: no list outlives a substep
   double most_distance;    ///< m: of all cloths
   T friction;              ///< coefficient of Coulomb friction
   int32_t with_excluded;   ///< 1: pairs whose rest distance is too short are listed too
@@ -68,6 +79,7 @@ struct Contacts {
 
   // The search. Sorted arrays have a block more than there are particles.
   ContactBox* box;           ///< by block
+  ContactZone* zone;
   int32_t key_bits;          ///< of a key; the largest one stands for padding
   int32_t entries_a_grid;    ///< of the sorted arrays of a grid
   uint32_t *key, *element;   ///< sorted; of every grid
@@ -86,6 +98,7 @@ struct Contacts {
   int32_t* entry;            ///< by ascending rank; memory of its own
   int64_t capacity;          ///< entries that it has room for
   Vec3Array<T> from, drift;  ///< where each particle was, and went in a substep, at that time
+  T* skin_of;                ///< m: how far it may be from where it would be so
 
   Vec3Array<T> start_x, start_d;  ///< before a frame, for one that cannot be finished
 
@@ -104,6 +117,7 @@ struct Contacts {
     array(rest, 3 * particles);
     array(woken, particles > 0 ? n.cloths : 0);
     array(box, blocks);
+    array(zone, lists ? contact_zones : 0);
     array.number(key_bits, n.key_bits);
     array.number(entries_a_grid, sorted);
     array(key, n.contact_grids * sorted);
@@ -123,6 +137,7 @@ struct Contacts {
     array(row_foreign, blocks);
     array(from, lists ? particles : 0);
     array(drift, lists ? particles : 0);
+    array(skin_of, lists ? particles : 0);
     array(start_x, particles);
     array(start_d, particles);
     array(touching, particles);

@@ -28,9 +28,10 @@ template <bool Position, class T, class Team>
 void list_complete(const Team& team, const Simulation<T>& sim, const ParticleBuffers<T>& p,
                    Vec3Array<T> x, bool lasting, int since, int given) {
   const Contacts<T>& c = sim.contacts;
-  team.for_each_block(sim.blocks, ContactBounds<T, Position>{sim, p, x, lasting, since});
+  team.for_each_block(sim.blocks, ContactBounds<T, Position>{sim, p, x, lasting, since, given});
   team.meet();
   team.for_each_block(1, PlanCells<T>{c, sim.blocks, lasting, given});
+  if (lasting) team.for_each_block(contact_zones / block_size, ClearZones<T>{c});
   team.meet();
   team.for_each_block(sim.blocks, CellKeys<T>{sim, x});
   team.meet();
@@ -164,7 +165,8 @@ bool substep_with_list(const Team& team, Simulation<T>& sim, const ParticleBuffe
   respond_to_contact(team, sim, p, step);
   ++age.since;
   if (age.substeps == c.state->horizon && team.leads()) {
-    c.state->limit = 2 * c.state->limit < 4096 ? 2 * c.state->limit : 4096;
+    const int limit = c.state->limit + 1 + c.state->limit / 4;
+    c.state->limit = limit < 4096 ? limit : 4096;
     c.state->backoff = 1;
   }
   return true;

@@ -97,12 +97,16 @@ class ArenaOf final : public Arena, public HostObject {
     Status status = colliders_.upload(in, input, device_);
     if (status == Status::ok) status = pins_.upload(in, input, device_.sim.pins);
     if (status != Status::ok) return status;
-    Frame<T> frame = make_frame(in, input);
-    frame.by_block = colliders_.by_block();
-    contacts_.forget_list();
-    return probe_.run(context_, frame, [&](const Vec3Array<T>& from, Vector<Vec3<T>>& out) {
-      return fetch(from, 0, size_t(sim_.blocks) * block_size, out);
-    });
+    for (bool wanted = true; wanted && status == Status::ok;) {
+      Frame<T> frame = make_frame(in, input);
+      frame.by_block = colliders_.by_block();
+      contacts_.forget_list();
+      status = probe_.run(context_, frame, [&](const Vec3Array<T>& from, Vector<Vec3<T>>& out) {
+        return fetch(from, 0, size_t(sim_.blocks) * block_size, out);
+      });
+      if (status == Status::ok) status = contacts_.make_room(sim_, wanted);
+    }
+    return status;
   }
   Status read_probe(const ClothRecord& cloth, Vector<Probed>& out) override {
     Vector<Vec3<T>> now;

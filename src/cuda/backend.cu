@@ -17,7 +17,10 @@ struct GpuDevice {
   static Exec exec(int, Workers) { return Exec(nullptr); }
   static Status finish() {
     const GpuError launch = WEFT_GPU(GetLastError)();
-    return status_of(launch == gpu_success ? WEFT_GPU(StreamSynchronize)(nullptr) : launch);
+    const Status sorts = sort_failure();
+    const Status done =
+        status_of(launch == gpu_success ? WEFT_GPU(StreamSynchronize)(nullptr) : launch);
+    return done == Status::ok ? sorts : done;
   }
 
   static void* allocate(const Allocator& host, size_t bytes) {

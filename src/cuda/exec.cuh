@@ -25,6 +25,7 @@ __global__ void run_blocks(const int count, WEFT_LAUNCH_CONSTANT const Kernel ke
 class Team {
  public:
   static constexpr bool fuses = false;
+  static constexpr bool sees = false;
 
   explicit Team(GpuStream stream) : stream_(stream) {}
 
@@ -36,12 +37,11 @@ class Team {
     run_blocks<<<dim3(static_cast<unsigned>(groups)), dim3(warps_per_group * block_size), 0,
                  stream_>>>(count, kernel);
   }
-  void sort_by_key(uint32_t* keys, uint32_t* values, int count, int) const {
-    (void)sort_pairs(keys, values, count);
+  void sort_by_key(uint32_t* keys, uint32_t* values, int count, int, SortRoom room) const {
+    enqueue_sort(keys, values, count, 32, room.words, room.count, stream_);
   }
-  void sort_few_bits(uint32_t* keys, uint32_t* values, uint32_t*, uint32_t*, int count,
-                     int) const {
-    (void)sort_pairs(keys, values, count);
+  void sort_few_bits(uint32_t* keys, uint32_t* values, int count, int bits, SortRoom room) const {
+    enqueue_sort(keys, values, count, bits, room.words, room.count, stream_);
   }
   void meet() const {}
   // The host enqueues and does not wait: it cannot say how long a part of the frame takes.

@@ -14,8 +14,11 @@ namespace {
 /// Device memory for the length of one call; releasing it waits for the kernels that use it.
 class Scratch {
  public:
-  explicit Scratch(size_t bytes) : bytes_(bytes), memory_(allocate_memory(Allocator{}, bytes)) {}
-  ~Scratch() { release_memory(Allocator{}, memory_, bytes_); }
+  explicit Scratch(size_t bytes)
+      : bytes_(bytes), memory_(bytes > 0 ? allocate_memory(Allocator{}, bytes) : nullptr) {}
+  ~Scratch() {
+    if (memory_ != nullptr) release_memory(Allocator{}, memory_, bytes_);
+  }
   Scratch(const Scratch&) = delete;
   Scratch& operator=(const Scratch&) = delete;
 
@@ -66,6 +69,54 @@ Status sort_pairs(uint32_t* keys, uint32_t* values, int count) {
   if (sorted != Status::ok) return sorted;
   const Status moved = bring_home(keys, key, bytes);
   return moved == Status::ok ? bring_home(values, value, bytes) : moved;
+}
+
+namespace {
+
+thread_local Status failure = Status::ok;
+
+/// A sort may leave its result in the other buffer of the two.
+GpuError bring_home(uint32_t* home, const rocprim::double_buffer<uint32_t>& buffer, size_t bytes,
+                    GpuStream stream) {
+  if (buffer.current() == home) return gpu_success;
+  return WEFT_GPU(MemcpyAsync)(home, buffer.current(), bytes, WEFT_GPU(MemcpyDeviceToDevice),
+                               stream);
+}
+
+/// `room` holds the other buffers, then what rocPRIM counts in.
+GpuError sort_in_room(uint32_t* keys, uint32_t* values, int count, int bits, uint32_t* room,
+                      int64_t room_words, GpuStream stream) {
+  const size_t bytes = size_t(count) * sizeof(uint32_t);
+  rocprim::double_buffer<uint32_t> key(keys, room), value(values, room + count);
+  const auto call = [&](void* scratch, size_t& needed) {
+    return rocprim::radix_sort_pairs(scratch, needed, key, value, size_t(count), 0,
+                                     static_cast<unsigned>(bits), stream);
+  };
+  size_t needed = 0;
+  if (const GpuError error = call(nullptr, needed); error != gpu_success) return error;
+  const int64_t used = 2 * int64_t(count);
+  const bool fits = int64_t(needed) <= (room_words - used) * int64_t(sizeof(uint32_t));
+  const Scratch more(fits ? 0 : needed);
+  if (!fits && !more) return WEFT_GPU(ErrorOutOfMemory);
+  const GpuError sorted = call(fits ? room + used : more.data(), needed);
+  if (sorted != gpu_success) return sorted;
+  const GpuError moved = bring_home(keys, key, bytes, stream);
+  return moved == gpu_success ? bring_home(values, value, bytes, stream) : moved;
+}
+
+}  // namespace
+
+void enqueue_sort(uint32_t* keys, uint32_t* values, int count, int bits, uint32_t* room,
+                  int64_t room_words, GpuStream stream) {
+  if (count == 0) return;
+  const GpuError error = sort_in_room(keys, values, count, bits, room, room_words, stream);
+  if (error != gpu_success) failure = status_of(error);
+}
+
+Status sort_failure() {
+  const Status found = failure;
+  failure = Status::ok;
+  return found;
 }
 
 }  // namespace WEFT_BACKEND_NS

@@ -54,6 +54,7 @@ struct ContactBounds {
   Vec3Array<T> x;
   bool lasting;
   int since;  ///< substeps since `from` and `drift` were written; below 1: never
+  int given;  ///< as in PlanCells
 
   template <int N>
   WEFT_HD void operator()(int block, int lane0, Lanes<N> lanes) const {
@@ -112,7 +113,7 @@ struct ContactBounds {
     const ContactState& state = *sim.contacts.state;
     const T usual = T(sim.contacts.skin);
     const T most = may_be_stopped(block) ? T(sim.contacts.most_stop) : T(0);
-    const T ahead = T(state.limit);
+    const T ahead = T(given > 0 ? given : state.limit);
     const Vec3<T> calm{T(state.calm[0]), T(state.calm[1]), T(state.calm[2])};
     T* skins = sim.contacts.skin_of;
     const ParticleBuffers<T> buffers = p;
@@ -140,33 +141,56 @@ struct ContactBounds {
   }
 };
 
-/// Chooses the cells, and for how many substeps a list is made. One block, one lane.
+/// Before the first substep of a frame whose lists nobody looks at until its end.
+template <class T>
+struct ForgetLists {
+  Contacts<T> contacts;
+
+  template <int N>
+  WEFT_HD void operator()(int, int lane0, Lanes<N>) const {
+    if (lane0 != 0) return;
+    contacts.state->outrun = 0;
+    contacts.state->most = 0;
+  }
+};
+
+/// Chooses the cells, and for how many substeps a list is made. One block, whose lanes look through
+/// the boxes by turns.
 template <class T>
 struct PlanCells {
   Contacts<T> contacts;
   int blocks;
   bool lasting;  ///< the list is to outlive this substep
+  int given;     ///< for so many that the host has chosen; 0: the choice is made here
 
   template <int N>
-  WEFT_HD void operator()(int, int lane0, Lanes<N>) const {
-    if (lane0 != 0) return;
+  WEFT_HD void operator()(int, int lane0, Lanes<N> lanes) const {
     ContactBox all{};
     for (int axis = 0; axis < 3; ++axis) {
-      double low = 1e300, high = -1e300, slowest = 1e300, fastest = -1e300, skin = 0.0;
-      for (int b = 0; b < blocks; ++b) {
-        const ContactBox& box = contacts.box[b];
-        low = smaller(low, box.low[axis]);
-        high = larger(high, box.high[axis]);
-        slowest = smaller(slowest, box.slowest[axis]);
-        fastest = larger(fastest, box.fastest[axis]);
-        skin = larger(skin, box.most_skin);
-      }
-      all.most_skin = skin;
-      all.low[axis] = high >= low ? low : 0.0;
-      all.high[axis] = high >= low ? high : 0.0;
-      all.slowest[axis] = fastest >= slowest ? slowest : 0.0;
-      all.fastest[axis] = fastest >= slowest ? fastest : 0.0;
+      double low[N], high[N], slowest[N], fastest[N], skin[N];
+      lanes.each_alone([&](int l) {
+        low[l] = slowest[l] = 1e300;
+        high[l] = fastest[l] = -1e300;
+        skin[l] = 0.0;
+        for (int b = lane0 + l; b < blocks; b += block_size) {
+          const ContactBox& box = contacts.box[b];
+          low[l] = smaller(low[l], box.low[axis]);
+          high[l] = larger(high[l], box.high[axis]);
+          slowest[l] = smaller(slowest[l], box.slowest[axis]);
+          fastest[l] = larger(fastest[l], box.fastest[axis]);
+          skin[l] = larger(skin[l], box.most_skin);
+        }
+      });
+      const double bottom = smallest_of_lanes(low, lanes), top = largest_of_lanes(high, lanes);
+      const double slow = smallest_of_lanes(slowest, lanes);
+      const double fast = largest_of_lanes(fastest, lanes);
+      all.most_skin = largest_of_lanes(skin, lanes);
+      all.low[axis] = top >= bottom ? bottom : 0.0;
+      all.high[axis] = top >= bottom ? top : 0.0;
+      all.slowest[axis] = fast >= slow ? slow : 0.0;
+      all.fastest[axis] = fast >= slow ? fast : 0.0;
     }
+    if (lane0 != 0) return;
     choose(all, *contacts.state);
   }
 
@@ -175,7 +199,6 @@ struct PlanCells {
 
   WEFT_HD void choose(const ContactBox& all, ContactState& state) const {
     state.used = 0;
-    state.outrun = 0;
     state.lists += 1;
     state.horizon = 0;
     double furthest = 0.0, extent = 0.0, speed = 0.0, spread = 0.0;
@@ -191,8 +214,14 @@ struct PlanCells {
     if (lasting) {
       const double fits = spread > 0.0 ? contacts.most_drift / spread : 1e9;
       int horizon = fits < double(longest) ? static_cast<int>(fits) : longest;
-      if (horizon > state.limit) horizon = state.limit;
-      if (horizon < 1) {
+      if (given > 0) {
+        if (state.outrun == 0) state.limit = horizon;
+        if (horizon < given) state.outrun = 1;  // with cells that large they would all be near
+        horizon = horizon < given ? 0 : given;
+      } else if (horizon > state.limit) {
+        horizon = state.limit;
+      }
+      if (given == 0 && horizon < 1) {
         state.wait = 8;
         return;
       }

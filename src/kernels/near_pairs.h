@@ -59,6 +59,7 @@ struct WriteRows {
     unsigned long long start = 0;
     const auto wanted = static_cast<unsigned long long>(width) * block_size;
     if (lane0 == 0 && width > 0) start = atomic_take(&c.state->used, wanted);
+    if (lane0 == 0 && width > 0) atomic_most(&c.state->most, start + wanted);
     start = WEFT_OF_FIRST_LANE(start);
     const bool fits = start + wanted <= static_cast<unsigned long long>(c.capacity);
     if (lane0 == 0) {

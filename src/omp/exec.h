@@ -119,6 +119,7 @@ int first_of_share(const Kernel& kernel, int count, int thread, int threads) {
 class Team {
  public:
   static constexpr bool fuses = WEFT_FUSE_PASSES;
+  static constexpr bool sees = WEFT_FUSE_PASSES;
 
   Team(int thread, int threads, Barrier* barrier, StageClock* clock)
       : thread_(thread), threads_(threads), barrier_(barrier), clock_(clock) {}
@@ -136,14 +137,14 @@ class Team {
   }
   /// Sorts pairs by key, equal keys in their order: every call one thread, the calls of a pass by
   /// turns. Whoever needs the order meets first.
-  void sort_by_key(uint32_t* keys, uint32_t* values, int count, int turn) const {
+  void sort_by_key(uint32_t* keys, uint32_t* values, int count, int turn, SortRoom) const {
     if (turn % threads_ == thread_) omp::stable_sort_by_key(keys, values, count, true);
   }
-  /// Sorts 0, 1, 2, ... by keys below 2^bits, with room for as many of both.
-  void sort_few_bits(uint32_t* keys, uint32_t* values, uint32_t* other_keys, uint32_t* other_values,
-                     int count, int bits) const {
-    const omp::CellSort sort{keys,       nullptr,      values, keys, nullptr,
-                             other_keys, other_values, count,  bits};
+  /// Sorts 0, 1, 2, ... by keys below 2^bits.
+  void sort_few_bits(uint32_t* keys, uint32_t* values, int count, int bits, SortRoom room) const {
+    uint32_t* const counts = room.words + count;
+    const omp::CellSort sort{keys,       nullptr, values, keys, nullptr,
+                             room.words, counts,  count,  bits};
     const size_t words = static_cast<size_t>(count), bytes = words * sizeof(uint32_t);
     if (!omp::sorts_without_starts(count, bits) || omp::room_of_cell_sort(sort) > bytes) {
       if (leads()) omp::stable_sort_by_key(keys, values, count, true);

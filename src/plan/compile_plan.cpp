@@ -17,6 +17,7 @@ constexpr double drag_flops = 10;
 constexpr double pin_flops = 9;
 constexpr double wind_flops = 84;   // of one triangle, for one of its corners
 constexpr double region_flops = 6;  // has the block left the region of its list of colliders?
+constexpr double outrun_flops = 14;  // is it where the list of near pairs expects it?
 constexpr double survey_flops = 16, reach_flops = 6, normal_flops = 23;
 // Of the test alone: a particle that is inside pays 50 to 80 more.
 constexpr struct {
@@ -171,11 +172,48 @@ Pass advance_pass(const WorldShape& world, KernelKind kind) {
   if (s.blown > 0) name += " +wind";
   if (s.damped_springs > 0) name += " +spring_damping";
   if (s.dragged > 0) name += " +drag";
+  if (world.contact_grids > 0) {
+    name += " +contacts";
+    if (!world.staggered) {
+      bytes += 6 * scalar;
+      flops += outrun_flops;
+    }
+  }
   for (int k = 0; k < collider_shapes; ++k) {
     if (world.colliders[k] > 0) name += String(" +") + shapes[k].name + "_colliders";
   }
   if (s.pinned > 0) name += " +moving_pins";
   return {"advance", "substep", name, s.particles, bytes, flops};
+}
+
+/// Partners that a particle of a layer on another one has, and those that the search looks at.
+constexpr double usual_partners = 8, usual_candidates = 24;
+
+/// Particles that meet each other: what finds them, which a complete search does for some substeps
+/// at once, and what they do to each other where they are near.
+void add_contact_passes(const WorldShape& world, uint64_t particles, Plan& plan) {
+  if (world.contact_grids == 0) return;
+  const auto s = static_cast<double>(world.scalar());
+  const double grids = world.contact_grids, keys = (3 * s + 8 * grids), cells = 8;
+  const String suffix = world.precision == Precision::float64 ? "_float64" : "_float32";
+  const auto add = [&](const char* stage, const char* kernel, double bytes, double flops) {
+    plan.passes.push_back({stage, "substep", kernel + suffix, particles, bytes, flops});
+  };
+  const double entries = 4 * usual_partners;
+  if (world.staggered) {
+    add("keys", "staggered_keys", keys, 12 * grids);
+    add("sort", "sort_by_key", 64 * grids, 0);
+    add("rows", "staggered_rows", 24 * grids + 3 * s + entries, 14 * usual_candidates);
+  } else {
+    add("bounds", "contact_bounds", 18 * s, 40);
+    add("keys", "cell_keys", keys, 12);
+    add("sort", "sort_few_bits", 48, 0);
+    add("cells", "sorted_cells", 8 + 13 * s + 4 + 4 * cells, 6);
+    add("rows", "near_rows", 13 * s + 8 + entries, 24 * usual_candidates);
+  }
+  add("count", "count_touching", entries + 3 * s + 4, 9 * usual_partners);
+  add("push", "push_apart", entries + 13 * s + 8, 62 * usual_partners);
+  add("apply", "apply_pushes", (world.position_form ? 15 + 12 : 18) * s, 6);
 }
 
 /// Passes over all particles, whatever their kind.
@@ -188,6 +226,11 @@ void add_other_passes(const WorldShape& world, Plan& plan) {
     if (c.triangles) corners += is_grid(c.kind) ? 6.0 * c.particles : double(c.triangle_entries);
   }
   if (particles == 0) return;
+  add_contact_passes(world, particles, plan);
+  if (world.contact_grids > 0) {
+    plan.passes.insert(plan.passes.begin(),
+                       {"keep", "frame", "start_of_frame", particles, 12 * scalar, 0});
+  }
   if (counts_of(world).all_colliders > 0) {
     const Pass reach{"reach",
                      "frame",

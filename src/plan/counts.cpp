@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "plan/plan.h"
 #include "plan/shape.h"
 
 namespace weft::plan {
@@ -83,6 +84,13 @@ Vector<ClothCounts> places_of(const WorldShape& world) {
     add(counts_of(world, cloth), places.back());
   }
   return places;
+}
+
+int64_t first_list_entries(const WorldShape& world) {
+  if (world.contact_grids == 0) return 0;
+  int64_t particles = 0;
+  for (const ClothShape& cloth : world.cloths) particles += int64_t(cloth.blocks()) * block_size;
+  return particles > 0 ? std::max<int64_t>(4096, 2 * particles) : 0;
 }
 
 Counts counts_of(const WorldShape& world) {

@@ -23,6 +23,9 @@ struct Plan {
 
 Plan compile_plan(const WorldShape&);
 
+/// Entries that the list of near pairs has room for at first; it grows with the pairs.
+int64_t first_list_entries(const WorldShape&);
+
 const char* kernel_name(KernelKind);
 
 }  // namespace weft::plan

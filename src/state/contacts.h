@@ -46,10 +46,12 @@ struct ContactState {
   double calm[3];          ///< m: the least displacement of a substep among all
   double slack;            ///< m: what rounding may make of a distance
   int32_t horizon;         ///< substeps that the list is made for; 0: of these positions alone
-  int32_t limit;           ///< most substeps that a list is tried for
+  int32_t limit;           ///< most substeps that a list is tried for; where the host cannot see
+                           ///< (Team::sees) the most that the last one could have been made for
   int32_t wait, backoff;   ///< substeps without a list that outlives them, and the next such time
   unsigned long long outrun;  ///< 1: a particle is not where its list expects it
   unsigned long long used;    ///< entries of the list that were wanted
+  unsigned long long most;    ///< of all lists of a frame; where the host sees, since the start
   unsigned long long lists;   ///< made so far
 };
 
@@ -83,7 +85,8 @@ struct Contacts {
   int32_t key_bits;          ///< of a key; the largest one stands for padding
   int32_t entries_a_grid;    ///< of the sorted arrays of a grid
   uint32_t *key, *element;   ///< sorted; of every grid
-  uint32_t *other_key, *other_element;  ///< room for the sort
+  uint32_t* room;            ///< for the sort of a grid
+  int64_t room_words;        ///< of it
   uint32_t* place;           ///< Search::staggered: where an element is in the order of every grid
   uint32_t* cell_start;      ///< by key, and one more
   Vec3Array<T> spot, drift_of_spot;  ///< sorted: position from state->low, displacement
@@ -121,8 +124,10 @@ struct Contacts {
     array.number(entries_a_grid, sorted);
     array(key, n.contact_grids * sorted);
     array(element, n.contact_grids * sorted);
-    array(other_key, lists ? sorted : n.contact_grids * sorted);
-    array(other_element, lists ? sorted : n.contact_grids * sorted);
+    // As much as is sorted, and what the sorts of GPUs count in.
+    const int64_t words = sorted > 0 ? 2 * sorted + sorted / 8 + 8192 : 0;
+    array(room, words);
+    array.number(room_words, words);
     array(place, n.staggered ? n.contact_grids * sorted : 0);
     array(cell_start, lists ? (int64_t(1) << n.key_bits) + 2 : 0);
     array(spot, sorted);

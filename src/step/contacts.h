@@ -10,6 +10,10 @@
 // goes on as expected. When one has not, a list is made of the same start and the substep repeated;
 // if even that one fails, as in an explosion, the substep is made without. A step's bits do not
 // depend on which of these ways it has gone.
+//
+// A GPU's host enqueues a frame without looking at it: lists are made every so many substeps, as
+// the arena has chosen before, and a frame that has outrun one is made again with a list in every
+// substep.
 #pragma once
 
 #include "kernels/collide_pass.h"
@@ -22,17 +26,17 @@ namespace WEFT_BACKEND_NS {
 /// Lists the pairs near each other at `x`; `lasting`: for some substeps from p.x_in on.
 template <bool Position, class T, class Team>
 void list_complete(const Team& team, const Simulation<T>& sim, const ParticleBuffers<T>& p,
-                   Vec3Array<T> x, bool lasting, int since) {
+                   Vec3Array<T> x, bool lasting, int since, int given) {
   const Contacts<T>& c = sim.contacts;
-  team.for_each_block(sim.blocks, ContactBounds<T, Position>{sim, p, x, lasting, since});
+  team.for_each_block(sim.blocks, ContactBounds<T, Position>{sim, p, x, lasting, since, given});
   team.meet();
-  team.for_each_block(1, PlanCells<T>{c, sim.blocks, lasting});
+  team.for_each_block(1, PlanCells<T>{c, sim.blocks, lasting, given});
   if (lasting) team.for_each_block(contact_zones / block_size, ClearZones<T>{c});
   team.meet();
   team.for_each_block(sim.blocks, CellKeys<T>{sim, x});
   team.meet();
-  team.sort_few_bits(c.key, c.element, c.other_key, c.other_element, sim.blocks * block_size,
-                     c.key_bits + 1);
+  team.sort_few_bits(c.key, c.element, sim.blocks * block_size, c.key_bits + 1,
+                     {c.room, c.room_words});
   team.meet();
   team.for_each_block(sim.blocks, SortedCells<T>{sim, x});
   team.meet();
@@ -44,12 +48,13 @@ void list_complete(const Team& team, const Simulation<T>& sim, const ParticleBuf
 template <class T, class Team>
 void list_staggered(const Team& team, const Simulation<T>& sim, Vec3Array<T> x) {
   const Contacts<T>& c = sim.contacts;
-  team.for_each_block(1, PlanCells<T>{c, 0, false});
+  team.for_each_block(1, PlanCells<T>{c, 0, false, 0});
   team.for_each_block(sim.blocks, StaggeredKeys<T>{sim, x});
   team.meet();
   for (int g = 0; g < c.grids; ++g) {
     const int64_t first = int64_t(g) * c.entries_a_grid;
-    team.sort_by_key(c.key + first, c.element + first, sim.blocks * block_size, g);
+    team.sort_by_key(c.key + first, c.element + first, sim.blocks * block_size, g,
+                     {c.room, c.room_words});
   }
   team.meet();
   team.for_each_block(sim.blocks, StaggeredPlaces<T>{c});
@@ -61,13 +66,13 @@ void list_staggered(const Team& team, const Simulation<T>& sim, Vec3Array<T> x) 
 
 template <class T, class Team>
 void list_pairs(const Team& team, const Simulation<T>& sim, const ParticleBuffers<T>& p,
-                Vec3Array<T> x, bool position_form, bool lasting, int since = 0) {
+                Vec3Array<T> x, bool position_form, bool lasting, int since = 0, int given = 0) {
   if (sim.contacts.search == Search::staggered) {
     list_staggered(team, sim, x);
   } else if (position_form) {
-    list_complete<true>(team, sim, p, x, lasting, since);
+    list_complete<true>(team, sim, p, x, lasting, since, given);
   } else {
-    list_complete<false>(team, sim, p, x, lasting, since);
+    list_complete<false>(team, sim, p, x, lasting, since, given);
   }
   team.lap(Lap::contacts);
 }
@@ -129,6 +134,7 @@ void respond_to_contact(const Team& team, const Simulation<T>& sim, const Partic
 struct ListAge {
   int substeps = -1;  ///< -1: there is none
   int since = -1;     ///< since Contacts::from was written; -1: never
+  int made_for = 0;   ///< where the host cannot see: substeps
 };
 
 /// Whether the list has room for all that it was made to hold.
@@ -201,6 +207,32 @@ bool substep_with_contact(const Team& team, Simulation<T>& sim, const ParticleBu
   if (team.leads() && c.state->wait > 0) --c.state->wait;
   team.meet();
   return true;
+}
+
+/// A substep whose lists are planned before: nobody looks at what the kernels find until the frame
+/// is over (Team::sees). Where a particle has then outrun a list, or a list had no room, the frame
+/// is made again from its start. `every`: Frame::list_every.
+template <class T, class Team>
+void substep_unseen(const Team& team, Simulation<T>& sim, const ParticleBuffers<T>& p,
+                    const StepParams<T>& step, int every, ListAge& age) {
+  Contacts<T>& c = sim.contacts;
+  if (every > 0) {
+    if (age.substeps < 0 || age.substeps >= age.made_for) {
+      list_pairs(team, sim, p, p.x_in, step.position_form, true, age.since, every);
+      age = {0, 0, every};
+    }
+    c.age = T(++age.substeps);
+    c.every_block = Team::fuses ? 0 : 1;
+    advance_before_contact(team, sim, p, step);
+  } else {
+    age.substeps = -1;
+    c.age = T(0);
+    c.every_block = 1;
+    advance_before_contact(team, sim, p, step);
+    list_pairs(team, sim, p, p.x_out, step.position_form, false);
+  }
+  respond_to_contact(team, sim, p, step);
+  if (age.since >= 0) ++age.since;
 }
 
 }  // namespace WEFT_BACKEND_NS

@@ -5,6 +5,7 @@
 //   substep:  springs?, hubs?                    where a cloth scatters or has very many springs
 //             advance = forces | wind? | integration | tethers? | colliders? | pins?    one pass;
 //             on a GPU shapes? | meshes? | pins? are passes of their own
+//             where particles meet: advance to its seam | contacts | colliders?, step/contacts.h
 //             swap:     what was written becomes what is read
 //   survey:   where the cloths are, how fast, whether any particle is lost
 #pragma once
@@ -172,15 +173,21 @@ void survey(const Team& team, const Simulation<T>& sim, bool position_form) {
 }
 
 /// A frame of particles that meet each other, from substep frame.begin on. It ends before its last
-/// substep where the list of near pairs needs more room: frame.begin says where.
+/// substep where the list of near pairs needs more room: frame.begin says where. A host that cannot
+/// see goes on to the end; ContactState says whether the frame is worth anything.
 template <class T, class Exec>
 void run_frame_with_contact(Exec& exec, Frame<T>& frame) {
   const int begin = frame.begin;
   exec.frame([&frame, begin](const auto& team) {
+    using Team = std::decay_t<decltype(team)>;
     Simulation<T> sim = frame.sim;
-    ListAge age{frame.list_age, frame.list_since};
+    ListAge age{frame.list_age, frame.list_since, frame.list_for};
     team.start_clock();
     team.meet();  // all have read what the first of them to be done will write
+    if constexpr (!Team::sees) {
+      team.for_each_block(1, ForgetLists<T>{sim.contacts});
+      team.meet();
+    }
     if (frame.by_block && begin == 0) {
       team.for_each_block(sim.blocks, ReachOfBlocks<T>{sim, sim.x[0]});
       team.meet();
@@ -189,7 +196,11 @@ void run_frame_with_contact(Exec& exec, Frame<T>& frame) {
     int s = begin;
     for (; s < frame.substeps; ++s) {
       const ParticleBuffers<T> p = buffers(sim, frame.position_form);
-      if (!substep_with_contact(team, sim, p, step_params(frame, s), age)) break;
+      if constexpr (Team::sees) {
+        if (!substep_with_contact(team, sim, p, step_params(frame, s), age)) break;
+      } else {
+        substep_unseen(team, sim, p, step_params(frame, s), frame.list_every, age);
+      }
       swap_buffers(sim, frame.position_form);
     }
     if (s == frame.substeps) {
@@ -201,6 +212,7 @@ void run_frame_with_contact(Exec& exec, Frame<T>& frame) {
       frame.begin = s;
       frame.list_age = age.substeps;
       frame.list_since = age.since;
+      frame.list_for = age.made_for;
     }
   });
   for (int s = 0; s < (frame.begin - begin) % 6; ++s) {

@@ -1,3 +1,4 @@
+#include "plan/device_arrays.h"
 #include "plan/plan.h"
 
 #include <gtest/gtest.h>
@@ -53,9 +54,12 @@ TEST(Plan, EveryNamedEffectShowsInThePassAndCosts) {
   world.colliders[0] = world.colliders[5] = 1;
   world.wind = true;
   world.cloths[0].drag = world.cloths[0].spring_damping = true;
+  world.contact_grids = 1;
   const Pass more = advance(world);
   EXPECT_EQ(more.kernel,
-            "grid_seed12_float32 +wind +spring_damping +drag +sphere_colliders +mesh_colliders");
+            "grid_seed12_float32 +wind +spring_damping +drag +contacts +sphere_colliders "
+            "+mesh_colliders");
+  EXPECT_EQ(more.bytes_per_particle, bare.bytes_per_particle + 6 * sizeof(float));
   EXPECT_GT(more.flops_per_particle, bare.flops_per_particle + 6 * 62);
 }
 
@@ -75,6 +79,30 @@ TEST(Plan, OnlyCollidersAskForReachAndOnlyWantedNormalsForAPass) {
   EXPECT_FALSE(has(world, "normals"));
   world.normals = true;
   EXPECT_TRUE(has(world, "normals"));
+}
+
+TEST(Plan, SelfCollisionIsPassesOfItsOwnThatAllCost) {
+  const auto stages = [](const WorldShape& world) {
+    std::string all;
+    for (const Pass& pass : compile_plan(world).passes) {
+      all += std::string(pass.stage) + " ";
+      EXPECT_GT(pass.bytes_per_particle, 0) << pass.stage;
+      EXPECT_EQ(pass.count, 5120u) << pass.stage;
+    }
+    return all;
+  };
+  WorldShape world;
+  world.cloths = {grid(4096), grid(1024)};
+  EXPECT_EQ(stages(world), "advance survey ");
+  EXPECT_EQ(first_list_entries(world), 0);
+  const size_t bare = device_bytes(world, 1);
+  world.contact_grids = 1;
+  EXPECT_EQ(stages(world), "keep advance bounds keys sort cells rows count push apply survey ");
+  EXPECT_GE(first_list_entries(world), 2 * 5120);
+  EXPECT_GT(device_bytes(world, 1), bare + 5120 * 100);
+  world.contact_grids = 8;
+  world.staggered = true;
+  EXPECT_EQ(stages(world), "keep advance keys sort rows count push apply survey ");
 }
 
 TEST(Plan, KindsOfClothAreSeparateRanges) {

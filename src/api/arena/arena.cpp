@@ -97,12 +97,16 @@ class ArenaOf final : public Arena, public HostObject {
     Status status = colliders_.upload(in, input, device_);
     if (status == Status::ok) status = pins_.upload(in, input, device_.sim.pins);
     if (status != Status::ok) return status;
-    Frame<T> frame = make_frame(in, input);
-    frame.by_block = colliders_.by_block();
-    contacts_.forget_list();
-    return probe_.run(context_, frame, [&](const Vec3Array<T>& from, Vector<Vec3<T>>& out) {
-      return fetch(from, 0, size_t(sim_.blocks) * block_size, out);
-    });
+    for (bool wanted = true; wanted && status == Status::ok;) {
+      Frame<T> frame = make_frame(in, input);
+      frame.by_block = colliders_.by_block();
+      contacts_.forget_list();
+      status = probe_.run(context_, frame, [&](const Vec3Array<T>& from, Vector<Vec3<T>>& out) {
+        return fetch(from, 0, size_t(sim_.blocks) * block_size, out);
+      });
+      if (status == Status::ok) status = contacts_.make_room(sim_, wanted);
+    }
+    return status;
   }
   Status read_probe(const ClothRecord& cloth, Vector<Probed>& out) override {
     Vector<Vec3<T>> now;
@@ -235,6 +239,7 @@ class ArenaOf final : public Arena, public HostObject {
   }
 
   uint64_t bytes() const override { return device_.bytes + contacts_.bytes(); }
+  uint64_t list_bytes() const override { return contacts_.bytes(); }
 
  private:
   int stride() const { return backend_.info().vector_stride; }
@@ -306,25 +311,40 @@ class ArenaOf final : public Arena, public HostObject {
     return status;
   }
 
-  /// A frame that is gone on with when its list of pairs has got more room; without memory for it
-  /// the frame has not been.
+  /// A frame that is gone on with when its list of pairs has got more room, or made again where
+  /// nobody could look at the lists; without memory for them the frame has not been.
   Status frame_with_contact(Frame<T>& frame) {
     const Vec3Array<T> d = frame.position_form ? sim_.x[2] : sim_.d[0];
     Status status = copy_vectors(sim_.x[0], sim_.contacts.start_x);
     if (status == Status::ok) status = copy_vectors(d, sim_.contacts.start_d);
     const Simulation<T> start = sim_;
-    contacts_.give_age(frame);
-    for (bool wanted = true; status == Status::ok && frame.begin < frame.substeps && wanted;) {
+    FrameVerdict verdict = FrameVerdict::to_go_on;
+    while (status == Status::ok && verdict != FrameVerdict::done) {
+      contacts_.give_age(frame);
       status = backend_.frame(frame);
       contacts_.take_age(frame);
-      if (status == Status::ok) status = contacts_.make_room(frame.sim, wanted);
-      contacts_.give_age(frame);
+      if (status == Status::ok) status = contacts_.judge(frame, verdict);
+      if (status == Status::ok && verdict == FrameVerdict::to_make_again) {
+        status = back_to(start, d, frame);
+      }
     }
-    if (status != Status::out_of_memory) return status;
+    if (status == Status::out_of_memory) back_to(start, d, frame);
+    return status;
+  }
+  /// To the start of the frame. What the sleepers have in the other buffers is the same; who was
+  /// touched, and what left its range, may have been so only in what is forgotten now.
+  Status back_to(const Simulation<T>& start, const Vec3Array<T>& d, Frame<T>& frame) {
+    const Contacts<T> now = frame.sim.contacts;
     frame.sim = start;
-    contacts_.forget_list();
-    copy_vectors(start.contacts.start_x, start.x[0]);
-    copy_vectors(start.contacts.start_d, d);
+    frame.sim.contacts = now;
+    frame.begin = 0;
+    contacts_.forget_motion();
+    Status status = copy_vectors(start.contacts.start_x, start.x[0]);
+    if (status == Status::ok) status = copy_vectors(start.contacts.start_d, d);
+    if (status == Status::ok) status = contacts_.forget_touched(start);
+    if (status == Status::ok && start.edges.overflow) {
+      status = backend_.to_device(start.edges.overflow, &no_overflow, sizeof no_overflow);
+    }
     return status;
   }
 

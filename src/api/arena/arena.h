@@ -94,6 +94,8 @@ class Arena {
   /// Lists made so far, and pairs in the last.
   virtual void list_counts(uint64_t& lists, uint64_t& listed) const = 0;
   virtual uint64_t bytes() const = 0;
+  /// Of them, those of the list.
+  virtual uint64_t list_bytes() const = 0;
 };
 
 std::unique_ptr<Arena> make_arena(Precision, ContextState&);

@@ -32,8 +32,6 @@ bool meet(const ContactCloth& a, const ContactCloth& b, bool same) {
 // cost of a step changes by a tenth when one of them is doubled or halved.
 constexpr double usual_skin = 0.2, most_stop = 0.3, most_drift = 2;
 
-constexpr int64_t least_entries = 4096;
-
 }  // namespace
 
 template <class T>
@@ -63,7 +61,10 @@ void ContactTables<T>::fill(const ArenaInput& in, Simulation<T>& image) const {
 template <class T>
 Status ContactTables<T>::prepare(const ArenaInput& in, Simulation<T>& sim) {
   lists_before_ = lists_;
-  age_ = since_ = -1;
+  forget_motion();
+  every_ = 4;
+  patience_ = backoff_ = 1;
+  calm_ = wait_ = 0;
   if (!sim.contacts.state) {
     memory_.release();
     return Status::ok;
@@ -90,10 +91,9 @@ Status ContactTables<T>::prepare(const ArenaInput& in, Simulation<T>& sim) {
   state.backoff = 1;
   Status status = backend_.to_device(c.state, &state, sizeof state);
   if (status != Status::ok) return status;
-  const auto particles = int64_t(sim.blocks) * block_size;
   if (!memory_.data()) {
-    const int64_t entries = std::max(least_entries, 2 * particles);
-    status = memory_.allocate(static_cast<size_t>(entries) * sizeof(int32_t));
+    const auto entries = static_cast<size_t>(plan::first_list_entries(in.shape));
+    status = memory_.allocate(entries * sizeof(int32_t));
     if (status != Status::ok) return status;
   }
   c.entry = reinterpret_cast<int32_t*>(memory_.data());
@@ -110,7 +110,7 @@ Status ContactTables<T>::upload(const ArenaInput& in, Simulation<T>& sim) {
     const ClothRecord& cloth = *in.cloths[k];
     const ContactCloth now = contact_cloth(cloth, *in.self_collision);
     const double* before = cloths_[k].origin;
-    if (!std::equal(before, before + 3, now.origin)) age_ = since_ = -1;
+    if (!std::equal(before, before + 3, now.origin)) forget_motion();
     cloths_[k] = now;
   }
   return backend_.to_device(writable(sim.contacts.cloth), cloths_.data(),
@@ -131,19 +131,66 @@ Status ContactTables<T>::make_room(Simulation<T>& sim, bool& wanted) {
   wanted = false;
   if (!sim.contacts.state) return Status::ok;
   ContactState state;
-  Status status = read_state(sim, state);
+  const Status status = read_state(sim, state);
   if (status != Status::ok) return status;
-  wanted = state.used > static_cast<unsigned long long>(sim.contacts.capacity);
-  if (!wanted) return status;
-  const auto entries = state.used + state.used / 4;
+  wanted = state.most > static_cast<unsigned long long>(sim.contacts.capacity);
+  return wanted ? grow(sim, state) : status;
+}
+
+template <class T>
+Status ContactTables<T>::grow(Simulation<T>& sim, const ContactState& state) {
+  const auto entries = state.most + state.most / 4;
   DeviceMemory larger(context_);
-  status = larger.allocate(static_cast<size_t>(entries) * sizeof(int32_t));
+  const Status status = larger.allocate(static_cast<size_t>(entries) * sizeof(int32_t));
   if (status != Status::ok) return status;
   memory_.swap(larger);
   age_ = -1;
   sim.contacts.entry = reinterpret_cast<int32_t*>(memory_.data());
   sim.contacts.capacity = static_cast<int64_t>(entries);
   return status;
+}
+
+template <class T>
+Status ContactTables<T>::judge(Frame<T>& frame, FrameVerdict& verdict) {
+  verdict = FrameVerdict::done;
+  ContactState state;
+  Status status = read_state(frame.sim, state);
+  if (status != Status::ok) return status;
+  const bool ended = frame.begin == frame.substeps;
+  if (ended && state.outrun != 0) {  // whatever else went wrong then went wrong from there
+    choose_shorter(state);
+    alone_ = true;
+    verdict = FrameVerdict::to_make_again;
+  } else if (state.most > static_cast<unsigned long long>(frame.sim.contacts.capacity)) {
+    status = grow(frame.sim, state);
+    verdict = ended ? FrameVerdict::to_make_again : FrameVerdict::to_go_on;
+  } else {
+    choose_longer(frame, state);
+    alone_ = false;
+  }
+  return status;
+}
+
+/// Fewer substeps for a list, after a particle has outrun one.
+template <class T>
+void ContactTables<T>::choose_shorter(const ContactState& state) {
+  const int shorter = std::min(every_ / 2, state.limit);
+  every_ = std::max(1, shorter);
+  calm_ = 0;
+  patience_ = std::min(2 * patience_, 64);
+  if (shorter > 0) return;
+  wait_ = backoff_;
+  backoff_ = std::min(2 * backoff_, 64);
+}
+
+/// More of them, after some frames in which none has.
+template <class T>
+void ContactTables<T>::choose_longer(const Frame<T>& frame, const ContactState& state) {
+  if (wait_ > 0 && !alone_) --wait_;
+  if (frame.list_every == 0 || ++calm_ < patience_) return;
+  calm_ = 0;
+  backoff_ = 1;
+  every_ = std::max(every_, std::min({2 * every_, state.limit, 1024}));
 }
 
 template <class T>
@@ -159,7 +206,12 @@ Status ContactTables<T>::wake_touched(const ArenaInput& in, const Simulation<T>&
   for (size_t k = 0; k < in.cloths.size() && status == Status::ok; ++k) {
     if (woken_[k] != 0) wake(*in.cloths[k]);
   }
-  return status == Status::ok ? backend_.zero(sim.contacts.woken, bytes) : status;
+  return status == Status::ok ? forget_touched(sim) : status;
+}
+
+template <class T>
+Status ContactTables<T>::forget_touched(const Simulation<T>& sim) {
+  return backend_.zero(sim.contacts.woken, woken_.size() * sizeof woken_[0]);
 }
 
 template <class T>

@@ -6,6 +6,8 @@
 
 namespace weft::api {
 
+enum class FrameVerdict { done, to_go_on, to_make_again };
+
 template <class T>
 class ContactTables {
  public:
@@ -18,19 +20,30 @@ class ContactTables {
   Status prepare(const ArenaInput&, Simulation<T>&);
   /// Before a frame: the cloths as they are now.
   Status upload(const ArenaInput&, Simulation<T>&);
-  /// Whether the list that was made last wants more room than it has; then it gets it.
+  /// Whether a list wants more room than it has; then it gets it.
   Status make_room(Simulation<T>&, bool& wanted);
+  /// What is to be done after a call of Backend::frame; the room that a list wants is there then.
+  Status judge(Frame<T>&, FrameVerdict&);
   /// After a frame: which sleepers were touched.
   Status wake_touched(const ArenaInput&, const Simulation<T>&);
+  /// None, after all.
+  Status forget_touched(const Simulation<T>&);
   /// The list is of no more use: where particles are has changed without a step.
   void forget_list() { age_ = -1; }
-  void give_age(Frame<T>& frame) const {
+  /// Nor is what it expects of particles.
+  void forget_motion() { age_ = since_ = -1; }
+  void give_age(Frame<T>& frame) {
+    const double longer = frame.dt - frame.dt_before;  // s: then they go on in another way
+    if (frame.begin == 0 && longer * longer > 1e-4 * frame.dt * frame.dt) forget_motion();
     frame.list_age = age_;
     frame.list_since = since_;
+    frame.list_for = made_for_;
+    frame.list_every = lists_last(frame) ? every_ : 0;
   }
   void take_age(const Frame<T>& frame) {
     age_ = frame.list_age;
     since_ = frame.list_since;
+    made_for_ = frame.list_for;
   }
 
   Status near_pairs(const ArenaInput&, const Simulation<T>&, const Vector<Vec3<T>>& positions,
@@ -43,6 +56,13 @@ class ContactTables {
 
  private:
   Status read_state(const Simulation<T>&, ContactState&);
+  Status grow(Simulation<T>&, const ContactState&);
+  bool lists_last(const Frame<T>& frame) const {
+    const Contacts<T>& c = frame.sim.contacts;
+    return c.search == Search::complete && c.skin > 0 && wait_ == 0 && !alone_;
+  }
+  void choose_shorter(const ContactState&);
+  void choose_longer(const Frame<T>&, const ContactState&);
 
   ContextState& context_;
   const Backend& backend_;
@@ -50,6 +70,12 @@ class ContactTables {
   Vector<ContactCloth> cloths_;
   Vector<unsigned long long> woken_;
   int age_ = -1, since_ = -1;
+  // Where the host cannot see within a frame (Team::sees).
+  int made_for_ = 0;
+  int every_ = 4;               ///< substeps that lists are made for
+  int calm_ = 0, patience_ = 1; ///< frames that no particle has outrun, and until longer is tried
+  int wait_ = 0, backoff_ = 1;  ///< frames without such lists, and the next such time
+  bool alone_ = false;          ///< the frame at hand is made again without
   uint64_t lists_ = 0, listed_ = 0, lists_before_ = 0;
 };
 

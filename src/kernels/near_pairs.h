@@ -45,13 +45,13 @@ struct WriteRows {
     constexpr int group = N < Finder::group ? N : Finder::group;
     for (int from = 0; from < N && i0 + from < end; from += group) {
       const int real = end - (i0 + from) < group ? end - (i0 + from) : group;
-      finder.template search<group>(
-          sim, i0 + from, real, of_cloth, [&](int l, int32_t j, int of_j, bool meets) {
-            const int lane = from + l, n = count[lane];
-            kept[lane][n < most_kept ? n : most_kept] = j;
-            count[lane] = n + (meets ? 1 : 0);
-            foreign[lane] |= meets & (of_j != of_cloth) ? 1 : 0;
-          });
+      finder.template search<group>(sim, i0 + from, real, of_cloth,
+                                    [&](int l, int32_t j, int of_j, bool meets) {
+                                      const int lane = from + l, n = count[lane];
+                                      kept[lane][n < most_kept ? n : most_kept] = j;
+                                      count[lane] = n + (meets ? 1 : 0);
+                                      foreign[lane] |= meets & (of_j != of_cloth) ? 1 : 0;
+                                    });
     }
     lanes.each_alone([&](int l) { most[l] = count[l]; });
     const int width = WEFT_OF_FIRST_LANE(largest_of_lanes(most, lanes));
@@ -107,8 +107,8 @@ struct WriteRows {
   WEFT_HD static void sink(const uint32_t* rank, int32_t* row, int k, int n) {
     const int32_t entry = row[int64_t(k) * block_size];
     for (int child = 2 * k + 1; child < n; child = 2 * k + 1) {
-      if (child + 1 < n && rank[row[int64_t(child + 1) * block_size]] >
-                               rank[row[int64_t(child) * block_size]]) {
+      if (child + 1 < n &&
+          rank[row[int64_t(child + 1) * block_size]] > rank[row[int64_t(child) * block_size]]) {
         ++child;
       }
       if (rank[row[int64_t(child) * block_size]] <= rank[entry]) break;
@@ -142,17 +142,15 @@ struct CompleteFinder {
     for (int axis = 0; axis < 3; ++axis) {
       const double inverse = state.inverse_cell[axis], reach = all.reach[axis];
       first[axis] = floor_bits((all.low[axis] - reach) * inverse);
-      cells[axis] = 1 + static_cast<int>(floor_bits((all.high[axis] + reach) * inverse) -
-                                         first[axis]);
+      cells[axis] =
+          1 + static_cast<int>(floor_bits((all.high[axis] + reach) * inverse) - first[axis]);
     }
     if constexpr (G > 1) {
       // Who are far from each other look alone.
-      if (cells[0] > 4 * G || cells[1] > 2 * G || cells[2] > 2 * G ||
-          cells[1] * cells[2] > 8 * G) {
+      if (cells[0] > 4 * G || cells[1] > 2 * G || cells[2] > 2 * G || cells[1] * cells[2] > 8 * G) {
         for (int l = 0; l < count; ++l) {
-          search<1>(sim, i + l, 1, of_cloth, [&](int, int32_t j, int of_j, bool meets) {
-            emit(l, j, of_j, meets);
-          });
+          search<1>(sim, i + l, 1, of_cloth,
+                    [&](int, int32_t j, int of_j, bool meets) { emit(l, j, of_j, meets); });
         }
         return;
       }
@@ -197,8 +195,8 @@ struct CompleteFinder {
     LaneVec3<T, G> spot, drift;
     T radius[G];  ///< below zero where nothing is to be found
     T horizon, most_radius;
-    double low[3], high[3];         ///< from state.low: of all
-    Vec3<T> near_low, near_high;    ///< the same while they drift, relative to their mean drift
+    double low[3], high[3];       ///< from state.low: of all
+    Vec3<T> near_low, near_high;  ///< the same while they drift, relative to their mean drift
     Vec3<T> mean;
     double reach[3];  ///< m: how far away what they look for can be
     int first;        ///< particle
@@ -288,8 +286,7 @@ struct CompleteFinder {
     for (int axis = 0; axis < 3; ++axis) {
       const double apart = larger(unordered(fastest[axis]) - own_slow[axis],
                                   own_fast[axis] - unordered(slowest[axis]));
-      const double reach =
-          (still + unordered(skin) + double(state.horizon) * apart) * (1.0 + 1e-6);
+      const double reach = (still + unordered(skin) + double(state.horizon) * apart) * (1.0 + 1e-6);
       all.reach[axis] = smaller(reach, state.reach[axis]);
     }
   }

@@ -14,8 +14,7 @@ template <class T>
 WEFT_HD double shift_of_grid(const Contacts<T>& c, int g, int axis) {
   if (c.diagonal != 0) return static_cast<double>(g) / static_cast<double>(c.grids);
   // {000}, {000,111}, {000,011,101,110}, all eight: bit k of a corner is its half along axis k.
-  const int corner = c.grids == 8 ? g : c.grids == 4 ? (g == 0 ? 0 : 7 ^ (1 << (g - 1)))
-                                                     : 7 * g;
+  const int corner = c.grids == 8 ? g : c.grids == 4 ? (g == 0 ? 0 : 7 ^ (1 << (g - 1))) : 7 * g;
   return (corner >> axis & 1) != 0 ? 0.5 : 0.0;
 }
 
@@ -103,6 +102,7 @@ struct StaggeredFinder {
       }
     }
   }
+
  private:
   /// Whether grid g has the pair.
   WEFT_HD static bool has(const Contacts<T>& c, int g, int i, int j) {

@@ -197,8 +197,8 @@ struct PushApart {
         const T held = sliding2 > most * most ? most / square_root(sliding2) : T(1);
         const Vec3<T> drag = (most > T(0) ? -held : T(0)) * sliding;
         const Vec3<T> none{T(0), T(0), T(0)};
-        push.set(l, push.get(l) +
-                        select(acts, share * ((pair.distance - length) * n + drag), none));
+        push.set(l,
+                 push.get(l) + select(acts, share * ((pair.distance - length) * n + drag), none));
         brake.set(l, brake.get(l) + select(acts, share * (against * n + drag), none));
         wakes[l] |= touches & !pair.asleep & (dot(d_j, d_j) > limit * limit) ? 1 : 0;
       });

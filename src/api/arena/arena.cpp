@@ -7,6 +7,7 @@
 #include "api/arena/collider_inputs.h"
 #include "api/arena/contacts.h"
 #include "api/arena/device_memory.h"
+#include "api/arena/device_vectors.h"
 #include "api/arena/origins.h"
 #include "api/arena/overflow.h"
 #include "api/arena/parts.h"
@@ -68,11 +69,13 @@ class ArenaOf final : public Arena, public HostObject {
     if (status == Status::ok) status = pins_.upload(in, input, device_.sim.pins);
     if (status == Status::ok) status = upload_parts(in);
     if (status == Status::ok) status = contacts_.upload(in, sim_);
-    if (status == Status::ok && device_.before.data) status = copy_vectors(sim_.x[0], device_.before);
+    if (status == Status::ok && device_.before.data) {
+      status = copy_vectors(backend_, sim_.x[0], device_.before, sim_.blocks);
+    }
     if (status != Status::ok) return status;
     Frame<T> frame = make_frame(in, input);
     frame.by_block = colliders_.by_block();
-    status = sim_.contacts.state ? frame_with_contact(frame) : backend_.frame(frame);
+    status = sim_.contacts.state ? contacts_.run(frame) : backend_.frame(frame);
     sim_ = frame.sim;
     if (status == Status::ok) status = contacts_.wake_touched(in, sim_);
     for (ClothRecord* cloth : in.cloths) {
@@ -218,21 +221,10 @@ class ArenaOf final : public Arena, public HostObject {
   Status near_pairs(const ArenaInput& in, bool with_excluded, Workers workers,
                     Vector<NearPair>& out) override {
     if (!sim_.contacts.state) return Status::ok;
-    Status status = contacts_.upload(in, sim_);
-    for (bool wanted = true; wanted && status == Status::ok;) {
-      Frame<T> frame{};
-      frame.sim = sim_;
-      frame.sim.contacts.with_excluded = with_excluded ? 1 : 0;
-      frame.workers = workers;
-      frame.position_form = in.world->form == Form::position;
-      contacts_.forget_list();
-      status = backend_.pairs(frame);
-      if (status == Status::ok) status = contacts_.make_room(sim_, wanted);
-    }
-    Vector<Vec3<T>> x;
-    if (status == Status::ok) status = fetch(sim_.x[0], 0, size_t(sim_.blocks) * block_size, x);
-    if (status != Status::ok) return status;
-    return contacts_.near_pairs(in, sim_, x, with_excluded, out);
+    Frame<T> frame{};
+    frame.workers = workers;
+    frame.position_form = in.world->form == Form::position;
+    return contacts_.near_pairs(in, sim_, frame, with_excluded, out);
   }
   void list_counts(uint64_t& lists, uint64_t& listed) const override {
     contacts_.counts(lists, listed);
@@ -311,57 +303,6 @@ class ArenaOf final : public Arena, public HostObject {
     return status;
   }
 
-  /// A frame that is gone on with when its list of pairs has got more room, or made again where
-  /// nobody could look at the lists; without memory for them the frame has not been.
-  Status frame_with_contact(Frame<T>& frame) {
-    const Vec3Array<T> d = frame.position_form ? sim_.x[2] : sim_.d[0];
-    Status status = copy_vectors(sim_.x[0], sim_.contacts.start_x);
-    if (status == Status::ok) status = copy_vectors(d, sim_.contacts.start_d);
-    const Simulation<T> start = sim_;
-    FrameVerdict verdict = FrameVerdict::to_go_on;
-    while (status == Status::ok && verdict != FrameVerdict::done) {
-      contacts_.give_age(frame);
-      status = backend_.frame(frame);
-      contacts_.take_age(frame);
-      if (status == Status::ok) status = contacts_.judge(frame, verdict);
-      if (status == Status::ok && verdict == FrameVerdict::to_make_again) {
-        status = back_to(start, d, frame);
-      }
-    }
-    if (status == Status::out_of_memory) back_to(start, d, frame);
-    return status;
-  }
-  /// To the start of the frame. What the sleepers have in the other buffers is the same; who was
-  /// touched, and what left its range, may have been so only in what is forgotten now.
-  Status back_to(const Simulation<T>& start, const Vec3Array<T>& d, Frame<T>& frame) {
-    const Contacts<T> now = frame.sim.contacts;
-    frame.sim = start;
-    frame.sim.contacts = now;
-    frame.begin = 0;
-    contacts_.forget_motion();
-    Status status = copy_vectors(start.contacts.start_x, start.x[0]);
-    if (status == Status::ok) status = copy_vectors(start.contacts.start_d, d);
-    if (status == Status::ok) status = contacts_.forget_touched(start);
-    if (status == Status::ok && start.edges.overflow) {
-      status = backend_.to_device(start.edges.overflow, &no_overflow, sizeof no_overflow);
-    }
-    return status;
-  }
-
-  /// All particles of an array of vectors to another.
-  Status copy_vectors(const Vec3Array<T>& from, const Vec3Array<T>& to) {
-    const auto elements = static_cast<size_t>(sim_.blocks) * block_size;
-    if (stride() > 1) {
-      return backend_.copy(to.data, from.data, elements * static_cast<size_t>(stride()) * sizeof(T));
-    }
-    Status status = Status::ok;
-    for (size_t c = 0; c < 3 && status == Status::ok; ++c) {
-      status = backend_.copy(to.data + c * to.pitch, from.data + c * from.pitch,
-                             elements * sizeof(T));
-    }
-    return status;
-  }
-
   /// An array of vectors from the cloth's first element on, where the host can read it.
   Status on_host(const Vec3Array<T>& from, const ClothRecord& cloth, Vector<T>& mirror,
                  Vec3Array<T>& out) {
@@ -429,21 +370,8 @@ class ArenaOf final : public Arena, public HostObject {
                               params_.size() * sizeof(ClothParams<T>));
   }
 
-  /// Reads elements [first, first + count) of an array of vectors.
   Status fetch(const Vec3Array<T>& from, int first, size_t count, Vector<Vec3<T>>& out) {
-    out.resize(count);
-    if (count == 0) return Status::ok;
-    const auto stride = static_cast<size_t>(this->stride());
-    Vector<T> line((count - 1) * stride + 1);
-    for (size_t c = 0; c < 3; ++c) {
-      const Status status =
-          backend_.to_host(line.data(), from.data + size_t(first) * stride + c * from.pitch,
-                           line.size() * sizeof(T));
-      if (status != Status::ok) return status;
-      T Vec3<T>::*const member = c == 0 ? &Vec3<T>::x : c == 1 ? &Vec3<T>::y : &Vec3<T>::z;
-      for (size_t i = 0; i < count; ++i) out[i].*member = line[i * stride];
-    }
-    return Status::ok;
+    return fetch_vectors(backend_, from, first, count, out);
   }
 
   ContextState& context_;

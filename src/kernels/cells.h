@@ -31,19 +31,6 @@ WEFT_HD uint32_t floor_bits(double v) {
   return static_cast<uint32_t>(bits);
 }
 
-/// Doubles as unsigned integers of the same order, and back.
-WEFT_HD unsigned long long ordered(double value) {
-  unsigned long long bits;
-  __builtin_memcpy(&bits, &value, sizeof bits);
-  return (bits >> 63) != 0 ? ~bits : bits | 1ull << 63;
-}
-WEFT_HD double unordered(unsigned long long order) {
-  const unsigned long long bits = (order >> 63) != 0 ? order & ~(1ull << 63) : ~order;
-  double value;
-  __builtin_memcpy(&value, &bits, sizeof value);
-  return value;
-}
-
 /// Bounds of where each block is and how it goes on from there; what is not finite does not count.
 /// A list that is to last expects a particle to go on as it did on average since the last such list
 /// was made, so that what only trembles does not outrun it.
@@ -138,19 +125,6 @@ struct ContactBounds {
       const Vec3<T> speed = d - calm;
       skins[i0 + l] = usual + smaller(most, ahead * square_root(dot(speed, speed)));
     });
-  }
-};
-
-/// Before the first substep of a frame whose lists nobody looks at until its end.
-template <class T>
-struct ForgetLists {
-  Contacts<T> contacts;
-
-  template <int N>
-  WEFT_HD void operator()(int, int lane0, Lanes<N>) const {
-    if (lane0 != 0) return;
-    contacts.state->outrun = 0;
-    contacts.state->most = 0;
   }
 };
 
@@ -405,8 +379,7 @@ struct SortedCells {
                     T(in_world(position.y, cloth.origin[1]) - state.low[1]),
                     T(in_world(position.z, cloth.origin[2]) - state.low[2])});
       const bool lasts = state.horizon > 0;
-      store(c.drift_of_spot, at,
-            lasts ? load(c.drift, i) : Vec3<T>{T(0), T(0), T(0)});
+      store(c.drift_of_spot, at, lasts ? load(c.drift, i) : Vec3<T>{T(0), T(0), T(0)});
       c.radius_of_spot[at] = T(0.5 * (cloth.distance + state.slack)) + (lasts ? c.skin_of[i] : T(0));
       c.cloth_of_spot[at] = of_cloth;
     });

@@ -115,7 +115,8 @@ Counts counts_of(const WorldShape& world) {
   if (world.contact_grids > 0 && n.particles > 0) {
     n.contact_grids = world.contact_grids;
     n.staggered = world.staggered;
-    // Some eight cells a particle, so that few share one without being near, and four along each axis.
+    // Some eight cells a particle, so that few share one without being near, and four along each
+    // axis.
     n.key_bits = 6;
     while (n.key_bits < 26 && (int64_t(1) << n.key_bits) < 8 * n.particles) ++n.key_bits;
     if (n.staggered) n.key_bits = 32;

@@ -108,7 +108,8 @@ struct Contacts {
 
   template <class Arrays>
   constexpr void arrays(Arrays& array, const Counts& n) {
-    const int64_t particles = n.contact_grids > 0 ? n.particles : 0, blocks = particles / block_size;
+    const int64_t particles = n.contact_grids > 0 ? n.particles : 0;
+    const int64_t blocks = particles / block_size;
     const bool lists = n.contact_grids > 0 && !n.staggered;
     const int64_t sorted = particles > 0 ? particles + block_size : 0;
     array(state, particles > 0 ? 1 : 0);

@@ -5,6 +5,7 @@
 
 #include "api/arena/fill.h"
 #include "api/arena/collider_inputs.h"
+#include "api/arena/contact_frame.h"
 #include "api/arena/contacts.h"
 #include "api/arena/device_memory.h"
 #include "api/arena/origins.h"
@@ -14,6 +15,7 @@
 #include "api/arena/probe.h"
 #include "api/arena/spring_watcher.h"
 #include "api/arena/survey.h"
+#include "api/arena/vectors.h"
 
 namespace weft::api {
 
@@ -68,11 +70,14 @@ class ArenaOf final : public Arena, public HostObject {
     if (status == Status::ok) status = pins_.upload(in, input, device_.sim.pins);
     if (status == Status::ok) status = upload_parts(in);
     if (status == Status::ok) status = contacts_.upload(in, sim_);
-    if (status == Status::ok && device_.before.data) status = copy_vectors(sim_.x[0], device_.before);
+    if (status == Status::ok && device_.before.data) {
+      status = copy_vectors(backend_, sim_.x[0], device_.before, sim_.blocks);
+    }
     if (status != Status::ok) return status;
     Frame<T> frame = make_frame(in, input);
     frame.by_block = colliders_.by_block();
-    status = sim_.contacts.state ? frame_with_contact(frame) : backend_.frame(frame);
+    status = sim_.contacts.state ? frame_with_contact(backend_, contacts_, frame)
+                                 : backend_.frame(frame);
     sim_ = frame.sim;
     if (status == Status::ok) status = contacts_.wake_touched(in, sim_);
     for (ClothRecord* cloth : in.cloths) {
@@ -176,12 +181,12 @@ class ArenaOf final : public Arena, public HostObject {
     job.out_normal = target.normal;
     job.out_last = target.last_position;
     Vector<T> mirrors[3];
-    Status status = on_host(sim_.x[0], cloth, mirrors[0], job.now);
+    Status status = on_host(context_, sim_.x[0], cloth, mirrors[0], job.now);
     if (status == Status::ok && job.alpha != T(1)) {
-      status = on_host(device_.before, cloth, mirrors[1], job.before);
+      status = on_host(context_, device_.before, cloth, mirrors[1], job.before);
     }
     if (status == Status::ok && target.normal.format != VertexFormat::none) {
-      status = on_host(sim_.x[1], cloth, mirrors[2], job.normal);
+      status = on_host(context_, sim_.x[1], cloth, mirrors[2], job.normal);
     }
     return status == Status::ok ? context_.host().write_vertices(job, workers) : status;
   }
@@ -311,72 +316,6 @@ class ArenaOf final : public Arena, public HostObject {
     return status;
   }
 
-  /// A frame that is gone on with when its list of pairs has got more room, or made again where
-  /// nobody could look at the lists; without memory for them the frame has not been.
-  Status frame_with_contact(Frame<T>& frame) {
-    const Vec3Array<T> d = frame.position_form ? sim_.x[2] : sim_.d[0];
-    Status status = copy_vectors(sim_.x[0], sim_.contacts.start_x);
-    if (status == Status::ok) status = copy_vectors(d, sim_.contacts.start_d);
-    const Simulation<T> start = sim_;
-    FrameVerdict verdict = FrameVerdict::to_go_on;
-    while (status == Status::ok && verdict != FrameVerdict::done) {
-      contacts_.give_age(frame);
-      status = backend_.frame(frame);
-      contacts_.take_age(frame);
-      if (status == Status::ok) status = contacts_.judge(frame, verdict);
-      if (status == Status::ok && verdict == FrameVerdict::to_make_again) {
-        status = back_to(start, d, frame);
-      }
-    }
-    if (status == Status::out_of_memory) back_to(start, d, frame);
-    return status;
-  }
-  /// To the start of the frame. What the sleepers have in the other buffers is the same; who was
-  /// touched, and what left its range, may have been so only in what is forgotten now.
-  Status back_to(const Simulation<T>& start, const Vec3Array<T>& d, Frame<T>& frame) {
-    const Contacts<T> now = frame.sim.contacts;
-    frame.sim = start;
-    frame.sim.contacts = now;
-    frame.begin = 0;
-    contacts_.forget_motion();
-    Status status = copy_vectors(start.contacts.start_x, start.x[0]);
-    if (status == Status::ok) status = copy_vectors(start.contacts.start_d, d);
-    if (status == Status::ok) status = contacts_.forget_touched(start);
-    if (status == Status::ok && start.edges.overflow) {
-      status = backend_.to_device(start.edges.overflow, &no_overflow, sizeof no_overflow);
-    }
-    return status;
-  }
-
-  /// All particles of an array of vectors to another.
-  Status copy_vectors(const Vec3Array<T>& from, const Vec3Array<T>& to) {
-    const auto elements = static_cast<size_t>(sim_.blocks) * block_size;
-    if (stride() > 1) {
-      return backend_.copy(to.data, from.data, elements * static_cast<size_t>(stride()) * sizeof(T));
-    }
-    Status status = Status::ok;
-    for (size_t c = 0; c < 3 && status == Status::ok; ++c) {
-      status = backend_.copy(to.data + c * to.pitch, from.data + c * from.pitch,
-                             elements * sizeof(T));
-    }
-    return status;
-  }
-
-  /// An array of vectors from the cloth's first element on, where the host can read it.
-  Status on_host(const Vec3Array<T>& from, const ClothRecord& cloth, Vector<T>& mirror,
-                 Vec3Array<T>& out) {
-    if (backend_.info().host_memory) {
-      out = {from.data + int64_t(cloth.first()) * stride(), from.pitch};
-      return Status::ok;
-    }
-    Vector<Vec3<T>> values;
-    const size_t count = cloth.cooked().vertices;
-    const Status status = fetch(from, cloth.first(), count, values);
-    if (status != Status::ok) return status;
-    out = arranged(values, static_cast<size_t>(context_.host().info().vector_stride), mirror);
-    return Status::ok;
-  }
-
   /// Parts that have changed, into room that is there already.
   Status upload_parts(const ArenaInput& in) {
     for (ClothRecord* cloth : in.cloths) {
@@ -429,21 +368,8 @@ class ArenaOf final : public Arena, public HostObject {
                               params_.size() * sizeof(ClothParams<T>));
   }
 
-  /// Reads elements [first, first + count) of an array of vectors.
   Status fetch(const Vec3Array<T>& from, int first, size_t count, Vector<Vec3<T>>& out) {
-    out.resize(count);
-    if (count == 0) return Status::ok;
-    const auto stride = static_cast<size_t>(this->stride());
-    Vector<T> line((count - 1) * stride + 1);
-    for (size_t c = 0; c < 3; ++c) {
-      const Status status =
-          backend_.to_host(line.data(), from.data + size_t(first) * stride + c * from.pitch,
-                           line.size() * sizeof(T));
-      if (status != Status::ok) return status;
-      T Vec3<T>::*const member = c == 0 ? &Vec3<T>::x : c == 1 ? &Vec3<T>::y : &Vec3<T>::z;
-      for (size_t i = 0; i < count; ++i) out[i].*member = line[i * stride];
-    }
-    return Status::ok;
+    return fetch_vectors(backend_, from, first, count, out);
   }
 
   ContextState& context_;

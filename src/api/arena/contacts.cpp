@@ -63,9 +63,8 @@ void ContactTables<T>::fill(const ArenaInput& in, Simulation<T>& image) const {
   double* rest = writable(image.contacts.rest);
   // By creation: what is added to a world later does not come before what is there.
   Vector<const ClothRecord*> created(in.cloths.begin(), in.cloths.end());
-  std::sort(created.begin(), created.end(), [](const ClothRecord* a, const ClothRecord* b) {
-    return a->created < b->created;
-  });
+  std::sort(created.begin(), created.end(),
+            [](const ClothRecord* a, const ClothRecord* b) { return a->created < b->created; });
   uint32_t next = 0;
   for (const ClothRecord* cloth : created) {
     const scene::CookedFabric& fabric = cloth->cooked();
@@ -246,8 +245,8 @@ Status ContactTables<T>::near_pairs(const ArenaInput& in, const Simulation<T>& s
     status = backend_.to_host(width.data(), c.row_width, blocks * sizeof(int32_t));
   }
   if (status != Status::ok) return status;
-  Vector<int32_t> entries(static_cast<size_t>(std::min<int64_t>(
-      c.capacity, static_cast<int64_t>(listed_))));
+  Vector<int32_t> entries(
+      static_cast<size_t>(std::min<int64_t>(c.capacity, static_cast<int64_t>(listed_))));
   status = backend_.to_host(entries.data(), c.entry, entries.size() * sizeof(int32_t));
   if (status != Status::ok) return status;
   // Cloth of a block, and the caller's number of a particle.
@@ -278,7 +277,7 @@ Status ContactTables<T>::near_pairs(const ArenaInput& in, const Simulation<T>& s
         const NearPair pair{mine.id, theirs.id, vertex(mine, i), vertex(theirs, j)};
         const bool ordered = same ? pair.vertex_a < pair.vertex_b : mine.created < theirs.created;
         if (!ordered) continue;
-        const Vec3<T> &p = positions[static_cast<size_t>(i)], &q = positions[static_cast<size_t>(j)];
+        const Vec3<T>&p = positions[static_cast<size_t>(i)], &q = positions[static_cast<size_t>(j)];
         const double x = (double(p.x) + one.origin[0]) - (double(q.x) + two.origin[0]);
         const double y = (double(p.y) + one.origin[1]) - (double(q.y) + two.origin[1]);
         const double z = (double(p.z) + one.origin[2]) - (double(q.z) + two.origin[2]);

@@ -72,10 +72,10 @@ class ContactTables {
   int age_ = -1, since_ = -1;
   // Where the host cannot see within a frame (Team::sees).
   int made_for_ = 0;
-  int every_ = 4;               ///< substeps that lists are made for
-  int calm_ = 0, patience_ = 1; ///< frames that no particle has outrun, and until longer is tried
-  int wait_ = 0, backoff_ = 1;  ///< frames without such lists, and the next such time
-  bool alone_ = false;          ///< the frame at hand is made again without
+  int every_ = 4;                ///< substeps that lists are made for
+  int calm_ = 0, patience_ = 1;  ///< frames that no particle has outrun, and until longer is tried
+  int wait_ = 0, backoff_ = 1;   ///< frames without such lists, and the next such time
+  bool alone_ = false;           ///< the frame at hand is made again without
   uint64_t lists_ = 0, listed_ = 0, lists_before_ = 0;
 };
 

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# Builds weft, runs every scene of samples/scenes, and makes out/demo/contact_sheet.png (four
-# moments of each), out/demo/demo.mp4 (one after the other) and a table of what they cost.
+# Builds weft, runs every scene of samples/scenes, those with self-collision without it too, and
+# makes out/demo/contact_sheet.png (four moments of each), out/demo/demo.mp4 (one after the other)
+# and a table of what they cost.
 # usage: scripts/demo.sh [weft run options, for example --threads 1]
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -17,6 +18,8 @@ if [[ ${#scenes[@]} -eq 0 ]]; then
 fi
 rm -rf out/demo
 mkdir -p out/demo
+python3 scripts/demo_scenes.py out/demo "${scenes[@]}" >out/demo/scenes.txt
+mapfile -t scenes <out/demo/scenes.txt
 formats=png,mp4
 command -v ffmpeg >/dev/null || formats=png
 

@@ -1,4 +1,4 @@
-"""Writes the sample scenes that need meshes: a skirt of two layers on a body, and two elastic balls.
+"""Writes the sample scenes that need meshes: a skirt of two layers on a body, two elastic balls.
 usage: scene_meshes.py samples/scenes"""
 
 import math
@@ -95,8 +95,8 @@ def write_skirt(folder):
     around = 72
     vertices, faces = cone(around, 30, 0.135, 0.27, 0.5)
     write_obj(os.path.join(folder, "skirt.obj"), vertices, faces)
-    layers = [skirt_layer("lining", vertices, around, 1.0, 0.0145, 0.15),
-              skirt_layer("skirt", vertices, around, 1.12, 0.016, 0.2)]
+    layers = [skirt_layer("skirt", vertices, around, 1.12, 0.016, 0.2),
+              skirt_layer("lining", vertices, around, 1.0, 0.0145, 0.15)]
     with open(os.path.join(folder, "skirt.json"), "w", encoding="utf-8") as file:
         file.write("""{
   "weft": 1,
@@ -131,7 +131,7 @@ def ball_cloth(name, mass, place, push):
 def write_balls(folder):
     vertices, faces = ball(3)
     write_obj(os.path.join(folder, "ball.obj"), vertices, faces)
-    balls = [ball_cloth("left", 0.12, [-0.16, 0.62, 0.35], [0, 0, -5]),
+    balls = [ball_cloth("left", 0.12, [-0.16, 0.62, 0.35], [0.8, 0, -5]),
              ball_cloth("right", 0.12, [0.16, 0.76, -0.35], [-1.5, 0, 4])]
     with open(os.path.join(folder, "balls.json"), "w", encoding="utf-8") as file:
         file.write("""{
@@ -145,14 +145,15 @@ def write_balls(folder):
       "mass": 0.4,
       "stiffness": { "stretch": 60, "shear": 20, "bend": 0.5 },
       "damping": { "drag": 2e-5, "spring": 0.0005 },
-      "collision": { "distance": 0.0114 },
+      "collision": { "distance": 0.0133 },
       "pins": [ { "rows": [0, 87] } ]
     },
 """ + ",\n".join(balls) + """
   ],
   "colliders": [ { "plane": { "normal": [0, 1, 0], "offset": 0 }, "friction": 0.4 } ],
+  "camera": { "eye": [2.3, 1.25, 2.1], "target": [0, 0.68, 0] },
   "wind": { "velocity": [0.5, 0, 1.5] },
-  "self_collision": { "method": "complete", "distance": 0.012, "friction": 0.2 }
+  "self_collision": { "method": "complete", "distance": 0.0133, "friction": 0.2 }
 }
 """)
 

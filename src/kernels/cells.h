@@ -99,7 +99,7 @@ struct ContactBounds {
   WEFT_HD void expect(int block, int i0, Lanes<N> lanes) const {
     const ContactState& state = *sim.contacts.state;
     const T usual = T(sim.contacts.skin);
-    const T most = may_be_stopped(block) ? T(0.75 * sim.contacts.most_distance) : T(0);
+    const T most = may_be_stopped(block) ? T(sim.contacts.most_stop) : T(0);
     const T ahead = T(given > 0 ? given : state.limit);
     const Vec3<T> calm{T(state.calm[0]), T(state.calm[1]), T(state.calm[2])};
     T* skins = sim.contacts.skin_of;
@@ -169,9 +169,6 @@ struct PlanCells {
   }
 
  private:
-  /// How far apart particles may drift along an axis while a list lasts, in distances: further, and
-  /// cells become larger than what is gained by making lists more rarely.
-  static constexpr double most_drift = 2.0;
   static constexpr int longest = 1024;
 
   WEFT_HD void choose(const ContactBox& all, ContactState& state) const {
@@ -189,7 +186,7 @@ struct PlanCells {
       state.calm[axis] = smaller(larger(all.slowest[axis], 0.0), all.fastest[axis]);
     }
     if (lasting) {
-      const double fits = spread > 0.0 ? most_drift * contacts.most_distance / spread : 1e9;
+      const double fits = spread > 0.0 ? contacts.most_drift / spread : 1e9;
       int horizon = fits < double(longest) ? static_cast<int>(fits) : longest;
       if (given > 0) {
         if (state.outrun == 0) state.limit = horizon;

@@ -23,19 +23,18 @@ struct ForgetLists {
   }
 };
 
-/// Whether particles i and j, of cloths `a` and `b`, touch when they are near enough.
+/// Whether particles i and j, which differ, of cloths `a` and `b` touch when they are near enough.
 template <class T>
 WEFT_HD bool may_meet(const Contacts<T>& c, int i, int j, int a, int b) {
   const ContactCloth &one = c.cloth[a], &other = c.cloth[b];
   if (a != b) {
-    return (one.others & other.others) != 0 && (one.layers & other.layers) != 0;
+    return ((one.others & other.others) != 0) & ((one.layers & other.layers) != 0);
   }
-  if (one.itself == 0) return false;
-  if (c.with_excluded != 0) return true;
   const double* p = c.rest + 3 * int64_t(i);
   const double* q = c.rest + 3 * int64_t(j);
   const double x = p[0] - q[0], y = p[1] - q[1], z = p[2] - q[2];
-  return !((x * x + y * y) + z * z < one.distance * one.distance);
+  const bool excluded = (x * x + y * y) + z * z < one.distance * one.distance;
+  return (one.itself != 0) & (!excluded | (c.with_excluded != 0));
 }
 
 /// Rows of the list are written by what all kinds of search have in common: a Finder names the
@@ -53,17 +52,19 @@ struct WriteRows {
     const Contacts<T>& c = sim.contacts;
     const int i0 = block * block_size + lane0, of_cloth = sim.block.cloth[block];
     const int end = sim.cloths[of_cloth].end;
-    int32_t kept[N][most_kept];
+    int32_t kept[N][most_kept + 1];  // with room for what is not kept
     int32_t count[N], foreign[N], most[N];
     lanes.each_alone([&](int l) { count[l] = foreign[l] = 0; });
     constexpr int group = N < Finder::group ? N : Finder::group;
     for (int from = 0; from < N && i0 + from < end; from += group) {
       const int real = end - (i0 + from) < group ? end - (i0 + from) : group;
-      finder.template search<group>(sim, i0 + from, real, of_cloth, [&](int l, int32_t j, int of_j) {
-        const int lane = from + l, n = count[lane]++;
-        if (n < most_kept) kept[lane][n] = j;
-        foreign[lane] |= of_j != of_cloth ? 1 : 0;
-      });
+      finder.template search<group>(
+          sim, i0 + from, real, of_cloth, [&](int l, int32_t j, int of_j, bool meets) {
+            const int lane = from + l, n = count[lane];
+            kept[lane][n < most_kept ? n : most_kept] = j;
+            count[lane] = n + (meets ? 1 : 0);
+            foreign[lane] |= meets & (of_j != of_cloth) ? 1 : 0;
+          });
     }
     lanes.each_alone([&](int l) { most[l] = count[l]; });
     const int width = WEFT_OF_FIRST_LANE(largest_of_lanes(most, lanes));
@@ -82,30 +83,29 @@ struct WriteRows {
     if (!fits || width == 0) return;
     lanes.each_alone([&](int l) {
       int32_t* row = c.entry + start + lane0 + l;
-      int n = 0;
-      if (count[l] <= most_kept) {
-        for (; n < count[l]; ++n) row[int64_t(n) * block_size] = kept[l][n];
+      int n = count[l];
+      if (n <= most_kept) {
+        write_sorted(c.rank, kept[l], n, row);
       } else {
-        finder.template search<1>(
-            sim, i0 + l, 1, of_cloth,
-            [&](int, int32_t j, int) { row[int64_t(n++) * block_size] = j; });
+        n = 0;
+        finder.template search<1>(sim, i0 + l, 1, of_cloth, [&](int, int32_t j, int, bool meets) {
+          if (meets) row[int64_t(n++) * block_size] = j;
+        });
+        heap_sort(c.rank, row, n);
       }
-      sort_row(c.rank, row, n);
       for (; n < width; ++n) row[int64_t(n) * block_size] = i0 + l;
     });
   }
 
  private:
-  /// By ascending rank.
-  WEFT_HD static void sort_row(const uint32_t* rank, int32_t* row, int n) {
-    if (n > most_kept) return heap_sort(rank, row, n);
-    for (int k = 1; k < n; ++k) {
-      const int32_t entry = row[int64_t(k) * block_size];
-      int to = k;
-      for (; to > 0 && rank[row[int64_t(to - 1) * block_size]] > rank[entry]; --to) {
-        row[int64_t(to) * block_size] = row[int64_t(to - 1) * block_size];
-      }
-      row[int64_t(to) * block_size] = entry;
+  /// By ascending rank: each goes behind all that are below it.
+  WEFT_HD static void write_sorted(const uint32_t* rank, const int32_t* kept, int n, int32_t* row) {
+    uint32_t ranks[most_kept];
+    for (int k = 0; k < n; ++k) ranks[k] = rank[kept[k]];
+    for (int k = 0; k < n; ++k) {
+      int below = 0;
+      for (int m = 0; m < n; ++m) below += ranks[m] < ranks[k] ? 1 : 0;
+      row[int64_t(below) * block_size] = kept[k];
     }
   }
   WEFT_HD static void heap_sort(const uint32_t* rank, int32_t* row, int n) {
@@ -141,7 +141,8 @@ struct CompleteFinder {
 
   static constexpr int group = 8;
 
-  /// emit(lane, j, cloth of j) for each candidate of the lanes below `count` from particle i on.
+  /// emit(lane, j, cloth of j, whether they meet) for each candidate of the lanes below `count`
+  /// from particle i on.
   template <int G, class Emit>
   WEFT_HD void search(const Simulation<T>& sim, int i, int count, int of_cloth, Emit emit) const {
     const Contacts<T>& c = sim.contacts;
@@ -162,7 +163,9 @@ struct CompleteFinder {
       if (cells[0] > 4 * G || cells[1] > 2 * G || cells[2] > 2 * G ||
           cells[1] * cells[2] > 8 * G) {
         for (int l = 0; l < count; ++l) {
-          search<1>(sim, i + l, 1, of_cloth, [&](int, int32_t j, int of_j) { emit(l, j, of_j); });
+          search<1>(sim, i + l, 1, of_cloth, [&](int, int32_t j, int of_j, bool meets) {
+            emit(l, j, of_j, meets);
+          });
         }
         return;
       }
@@ -174,7 +177,7 @@ struct CompleteFinder {
     const auto candidate = [&](int l, int at_sorted) {
       const auto j = static_cast<int32_t>(c.element[at_sorted]);
       const int of_j = c.cloth_of_spot[at_sorted];
-      if (may_meet(c, i + l, j, of_cloth, of_j)) emit(l, j, of_j);
+      emit(l, j, of_j, may_meet(c, i + l, j, of_cloth, of_j));
     };
     const uint32_t left = first[0] & state.mask[0];
     const uint32_t right = (first[0] + static_cast<uint32_t>(cells[0]) - 1u) & state.mask[0];
@@ -378,12 +381,15 @@ struct CompleteFinder {
                T(0);
       });
       if (!any) continue;
+      // No branch for each: none could be foretold.
+      int hits[chunk * G + 1], found = 0;
       for (int k = 0; k < chunk; ++k) {
-        const int q = kept[from + k < n ? from + k : from];
         for (int l = 0; l < G; ++l) {
-          if (excess[k][l] < T(0)) candidate(l, q);
+          hits[found] = k * G + l;
+          found += excess[k][l] < T(0) ? 1 : 0;
         }
       }
+      for (int h = 0; h < found; ++h) candidate(hits[h] % G, kept[from + hits[h] / G]);
     }
   }
 };

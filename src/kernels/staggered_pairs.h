@@ -94,7 +94,7 @@ struct StaggeredFinder {
         for (int before = 0; before < g; ++before) {
           if (has(c, before, i, j)) return;
         }
-        emit(0, j, of_j);
+        emit(0, j, of_j, true);
       };
       const int32_t most = c.window > 0 ? c.window : elements;
       for (int32_t at = place - 1; at >= 0 && place - at <= most && key[at] == own; --at) look(at);

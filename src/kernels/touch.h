@@ -6,6 +6,12 @@
 // Along the line of the two, n = (x_i - x_j)/|x_i - x_j|, the pair moves apart to its distance. Of
 // the displacements only the approach goes, so that an overlap gives no speed, and friction holds
 // what it can of the rest.
+//
+// One pass does not tell the lowest of a heap what lies on it: without more, each layer would go on
+// sinking until its overlap pushes it up as fast as it falls, which for N layers is an overlap of
+// some N^3 times the fall of a substep. So an overlapping pair that does not part also takes what
+// weight may press on it, as far as its overlap: that carries a heap with an overlap of the order
+// of N times that fall. Without gravity there is nothing to carry, and no overlap gives a speed.
 #pragma once
 
 #include "base/atomic_words.h"
@@ -127,6 +133,7 @@ struct PushApart {
   Simulation<T> sim;
   ParticleBuffers<T> p;
   T dt;
+  T weight;  ///< m: most that a pair carries without having approached
 
   template <int N>
   WEFT_HD void operator()(int block, int lane0, Lanes<N> lanes) const {
@@ -163,7 +170,7 @@ struct PushApart {
     const int32_t* touching = c.touching;
     const uint32_t* rank = c.rank;
     const T* inverse_mass = sim.inverse_mass;
-    const T friction = c.friction;
+    const T friction = c.friction, carries = weight;
     const ParticleBuffers<T> buffers = p;
     const T tiny = sizeof(T) == 4 ? T(1e-34) : T(1e-290);
     for (int k = 0; k < width; ++k, row += block_size) {
@@ -182,7 +189,9 @@ struct PushApart {
         const Vec3<T> n = select(together, direction_of_ranks<T>(rank[i], rank[j]),
                                  (T(1) / (together ? T(1) : length)) * pair.apart);
         const Vec3<T> d_j = went(buffers, j), slip = went(buffers, i) - d_j;
-        const T across = dot(slip, n), against = larger(T(0), -across);
+        const T across = dot(slip, n);
+        const T carried = across > T(0) ? T(0) : smaller(pair.distance - length, carries);
+        const T against = larger(T(0), -across) + larger(T(0), carried);
         const Vec3<T> sliding = slip - across * n;
         const T most = friction * against, sliding2 = dot(sliding, sliding);
         const T held = sliding2 > most * most ? most / square_root(sliding2) : T(1);

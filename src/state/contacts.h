@@ -68,6 +68,8 @@ struct Contacts {
   int32_t diagonal;        ///< its shifts go along (1,1,1)
   double skin;             ///< m: of a particle that goes its way; 0: no list outlives a substep
   double most_distance;    ///< m: of all cloths
+  double most_stop;        ///< m: that the skin grows by of who may be stopped
+  double most_drift;       ///< m: that particles drift apart at most while a list lasts
   T friction;              ///< coefficient of Coulomb friction
   int32_t with_excluded;   ///< 1: pairs whose rest distance is too short are listed too
   int32_t every_block;     ///< 1: colliders wait for contact in every block, not the listed alone
@@ -144,7 +146,8 @@ struct Contacts {
     array(touching, particles);
     array(push, particles);
     array(brake, particles);
-    array.later(search, grids, window, cell, shift, diagonal, skin, most_distance, friction,
+    array.later(search, grids, window, cell, shift, diagonal, skin, most_distance, most_stop,
+                most_drift, friction,
                 with_excluded, every_block, age, entry, capacity);
   }
 };

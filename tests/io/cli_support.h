@@ -6,6 +6,7 @@
 #include <sys/wait.h>
 
 #include <cstdlib>
+#include <filesystem>
 
 namespace weft::io::test {
 
@@ -32,6 +33,19 @@ inline void expect_failure(const Outcome& outcome, int code, const std::string& 
   EXPECT_EQ(outcome.out, "");
   EXPECT_CONTAINS(outcome.err, text);
   EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+}
+
+/// A scene of a file with the paths of its meshes from the root; null where a mesh is missing on
+/// this machine.
+inline Json sample_scene(const std::filesystem::path& file) {
+  Json scene = Json::parse(read_text(file.string()));
+  for (Json& cloth : scene["cloths"]) {
+    if (!cloth.contains("mesh")) continue;
+    const auto mesh = file.parent_path() / cloth["mesh"]["file"].get<std::string>();
+    if (!std::filesystem::exists(mesh)) return {};
+    cloth["mesh"]["file"] = mesh.string();
+  }
+  return scene;
 }
 
 /// A small sheet that falls freely: substeps "auto", 6 frames of 1/60 s.

@@ -28,31 +28,9 @@ bool meet(const ContactCloth& a, const ContactCloth& b, bool same) {
   return same ? a.itself != 0 : a.others && b.others && (a.layers & b.layers) != 0;
 }
 
-/// The least rest distance of neighbours of a grid that are not excluded from contact.
-double least_spacing(const ClothRecord& cloth, double distance) {
-  const scene::CookedGrid& grid = cloth.cooked().grid;
-  double least = INFINITY;
-  for (int r = 0; r < 3; ++r) {
-    for (int c = 0; c < 3; ++c) {
-      const double apart = std::hypot(r * grid.row_spacing, c * grid.column_spacing);
-      if (r + c > 0 && apart >= distance) least = std::min(least, apart);
-    }
-  }
-  return least;
-}
-
-/// Skin of a particle where none is given. With more, lists hold more pairs; with less, they are
-/// made more often. A grid's neighbours at rest are best not in the list at all.
-double usual_skin(const ArenaInput& in, double least_distance) {
-  double skin = 0.2 * least_distance;
-  for (const ClothRecord* cloth : in.cloths) {
-    if (!cloth->cooked().is_grid || !cloth->collides_itself) continue;
-    const double distance = distance_of(*cloth, *in.self_collision);
-    const double room = 0.5 * (0.97 * least_spacing(*cloth, distance) - distance);
-    if (room > 0.05 * distance) skin = std::min(skin, room);
-  }
-  return skin;
-}
+// In distances: with more of each, lists hold more pairs; with less, they are made more often. The
+// cost of a step changes by a tenth when one of them is doubled or halved.
+constexpr double usual_skin = 0.2, most_stop = 0.3, most_drift = 2;
 
 }  // namespace
 
@@ -104,7 +82,9 @@ Status ContactTables<T>::prepare(const ArenaInput& in, Simulation<T>& sim) {
     c.most_distance = std::max(c.most_distance, distance_of(*cloth, desc));
     least = std::min(least, distance_of(*cloth, desc));
   }
-  c.skin = desc.skin < 0 ? usual_skin(in, least) : desc.skin / 2;
+  c.skin = desc.skin < 0 ? usual_skin * least : desc.skin / 2;
+  c.most_stop = most_stop * c.most_distance;
+  c.most_drift = most_drift * c.most_distance;
   ContactState state{};
   state.limit = 16;
   state.backoff = 1;

@@ -377,7 +377,8 @@ struct SortedCells {
                     T(in_world(position.z, cloth.origin[2]) - state.low[2])});
       const bool lasts = state.horizon > 0;
       store(c.drift_of_spot, at, lasts ? load(c.drift, i) : Vec3<T>{T(0), T(0), T(0)});
-      c.radius_of_spot[at] = T(0.5 * (cloth.distance + state.slack)) + (lasts ? c.skin_of[i] : T(0));
+      const T skin = lasts ? c.skin_of[i] : T(0);
+      c.radius_of_spot[at] = T(0.5 * (cloth.distance + state.slack)) + skin;
       c.cloth_of_spot[at] = of_cloth;
     });
   }

@@ -28,8 +28,8 @@ struct ContactBox {
   double most_skin;  ///< m
 };
 
-/// Bounds of the drifts and skins of the particles in a part of space, so that who is calm and among
-/// calm ones need not look as far as who is not. Doubles in the order of unsigned integers.
+/// Bounds of the drifts and skins of the particles in a part of space, so that who is calm and
+/// among calm ones need not look as far as who is not. Doubles in the order of unsigned integers.
 struct ContactZone {
   unsigned long long slowest[3], fastest[3], most_skin;
 };

@@ -44,7 +44,7 @@ struct SelfCollisionDesc {
 struct ContactCounts {
   uint64_t touching = 0;  ///< pairs that touch
   uint64_t excluded = 0;  ///< pairs of one cloth that never do: their rest distance is too short
-  uint64_t listed = 0;    ///< pairs that the last list held
+  uint64_t listed = 0;    ///< entries of the last list: every pair twice, and what fills up its rows
   uint64_t lists = 0;     ///< lists made since the world was
 };
 

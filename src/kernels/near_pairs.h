@@ -373,7 +373,9 @@ struct CompleteFinder {
           const T between = at_start * v2 - dv * dv;
           const bool passes = (dv < T(0)) & (dv + horizon * v2 > T(0));
           const T least = smaller(smaller(at_start, at_end), passes ? between : T(1));
-          excess[k][l] = l == self ? T(1) : least;
+          // Nobody: itself, what has no radius, where rounding may make the last one negative.
+          const T of_other = reach > T(0) ? least : T(1);
+          excess[k][l] = l == self ? T(1) : of_other;
         });
       }
       const bool any = Lanes<G>{}.any([&](int l) WEFT_LANE {

@@ -30,6 +30,47 @@ void World::Impl::wake_touched(const api::ColliderRecord& collider, double dt) {
   }
 }
 
+void World::Impl::wake_neighbours(const api::ClothRecord& cloth, double way) {
+  if (!self_collision) return;
+  for (const ClothId id : order) {
+    api::ClothRecord& other = *cloths[id.index];
+    if (!other.asleep || &other == &cloth || !cloth.collides_others || !other.collides_others ||
+        (cloth.collision_layers & other.collision_layers) == 0) {
+      continue;
+    }
+    // What rests on a cloth is at its distance: a hair more.
+    const double reach = 1.01 * 0.5 *
+                             (api::collision_distance_of(cloth, *self_collision) +
+                              api::collision_distance_of(other, *self_collision)) +
+                         way;
+    const double3 by{reach, reach, reach};
+    const double3 low = api::minus(api::plus(cloth.low, cloth.origin), by);
+    const double3 high = api::plus(api::plus(cloth.high, cloth.origin), by);
+    const double3 from = api::plus(other.low, other.origin);
+    const double3 to = api::plus(other.high, other.origin);
+    if (from.x <= high.x && from.y <= high.y && from.z <= high.z && to.x >= low.x &&
+        to.y >= low.y && to.z >= low.z) {
+      api::wake(other);
+      wake_neighbours(other, 0);  // what rests on that too
+    }
+  }
+}
+
+void World::Impl::wake_by_cloths(double substep) {
+  if (!self_collision) return;
+  for (const ClothId id : order) {
+    const api::ClothRecord& cloth = *cloths[id.index];
+    if (cloth.asleep) continue;
+    bool moves = cloth.pins_led;
+    for (const ClothId of : order) {
+      const api::ClothRecord& other = *cloths[of.index];
+      moves |= other.asleep && cloth.furthest >= other.sleep_speed * substep;
+    }
+    // Where it was a frame ago counts too.
+    if (moves) wake_neighbours(cloth, cloth.furthest * substeps_last);
+  }
+}
+
 void World::Impl::wake_by_colliders(double dt) {
   bool any = false;
   for (const ClothId id : order) any |= cloths[id.index]->asleep;

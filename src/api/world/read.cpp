@@ -127,7 +127,7 @@ Status World::read_accelerations(ClothId id, double3* out) noexcept {
 
 Status World::Impl::probe(const api::ClothRecord& cloth, Vector<api::Probed>& out) {
   out.clear();
-  bool holds = api::TethersPart::used(cloth);
+  bool holds = api::TethersPart::used(cloth) || self_collision.has_value();
   for (const api::ColliderRecord& c : colliders) holds |= bool(c.id);
   // Before the first step the displacement is that of the velocity that was given.
   if (!holds || !cloth.moved || cloth.asleep) return Status::ok;

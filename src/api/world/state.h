@@ -120,6 +120,9 @@ struct __attribute__((visibility("hidden"))) World::Impl : HostObject {
   /// What a collider can touch between now and the end of a step of `dt` wakes up, if it moves.
   void wake_touched(const api::ColliderRecord&, double dt);
   void wake_by_colliders(double dt);
+  /// Sleepers that a cloth may meet and whose bounds are near, or `way` from it; those near them.
+  void wake_neighbours(const api::ClothRecord&, double way);
+  void wake_by_cloths(double substep);
   ColliderId add(api::ColliderRecord);
   void move(api::ColliderRecord&, const api::Placed& to, Move);
   void stretch(api::ColliderRecord&, const api::ColliderRecord& other);

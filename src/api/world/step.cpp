@@ -205,6 +205,7 @@ Status World::Impl::begin(const api::Stride& stride, double way) {
   events.make_room(4 * order.size() + 4);  // whoever sleeps or wakes, and what else may happen
   aim(way);
   wake_by_colliders(stride.dt);
+  wake_by_cloths(stride.dt / stride.substeps);
   forget_results();
   if (stride.dropped > 0) {
     drop_time(stride.dropped, "the step took max_substeps and was not as long as asked for");

@@ -161,6 +161,7 @@ Status World::destroy_cloth(ClothId id) noexcept {
   return api::guarded(*impl_->context, [&] {
     impl_->dirty = true;
     impl_->order.erase(std::find(impl_->order.begin(), impl_->order.end(), id));
+    impl_->wake_neighbours(*impl_->cloths[id.index], 0);
     if (const Status status = impl_->bury(id.index); status != Status::ok) return status;
     impl_->told.remove(id);
     impl_->cloth_ids.give_back(id.index);

@@ -57,5 +57,18 @@ WEFT_HD void atomic_most(unsigned long long* word, unsigned long long value) {
   WEFT_DEVICE_OR_HOST(atomicMax(word, value), host_atomic_most(word, value));
 }
 
+/// Doubles as unsigned integers of the same order, and back.
+WEFT_HD unsigned long long ordered(double value) {
+  unsigned long long bits;
+  __builtin_memcpy(&bits, &value, sizeof bits);
+  return (bits >> 63) != 0 ? ~bits : bits | 1ull << 63;
+}
+WEFT_HD double unordered(unsigned long long order) {
+  const unsigned long long bits = (order >> 63) != 0 ? order & ~(1ull << 63) : ~order;
+  double value;
+  __builtin_memcpy(&value, &bits, sizeof value);
+  return value;
+}
+
 }  // namespace WEFT_BACKEND_NS
 }  // namespace weft

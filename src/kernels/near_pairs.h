@@ -10,6 +10,19 @@
 namespace weft {
 namespace WEFT_BACKEND_NS {
 
+/// Before the first substep of a frame whose lists nobody looks at until its end.
+template <class T>
+struct ForgetLists {
+  Contacts<T> contacts;
+
+  template <int N>
+  WEFT_HD void operator()(int, int lane0, Lanes<N>) const {
+    if (lane0 != 0) return;
+    contacts.state->outrun = 0;
+    contacts.state->most = 0;
+  }
+};
+
 /// Whether particles i and j, which differ, of cloths `a` and `b` touch when they are near enough.
 template <class T>
 WEFT_HD bool may_meet(const Contacts<T>& c, int i, int j, int a, int b) {

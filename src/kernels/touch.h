@@ -179,7 +179,8 @@ struct PushApart {
         const Pair<T> pair = pairs(i, j);
         const T length2 = dot(pair.apart, pair.apart);
         const bool touches = (length2 < pair.distance * pair.distance) & (j != i);
-        const T w_i = asleep ? T(0) : inverse_mass[i], w_j = pair.asleep ? T(0) : inverse_mass[j];
+        const T m_i = inverse_mass[i], m_j = inverse_mass[j];  // read in any case: no branch
+        const T w_i = asleep ? T(0) : m_i, w_j = pair.asleep ? T(0) : m_j;
         const T both = w_i + w_j;
         const int32_t count = touching[i] > touching[j] ? touching[i] : touching[j];
         const bool acts = touches & (both > T(0));

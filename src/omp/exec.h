@@ -143,8 +143,7 @@ class Team {
   /// Sorts 0, 1, 2, ... by keys below 2^bits.
   void sort_few_bits(uint32_t* keys, uint32_t* values, int count, int bits, SortRoom room) const {
     uint32_t* const counts = room.words + count;
-    const omp::CellSort sort{keys,       nullptr, values, keys, nullptr,
-                             room.words, counts,  count,  bits};
+    const omp::CellSort sort{keys, nullptr, values, keys, nullptr, room.words, counts, count, bits};
     const size_t words = static_cast<size_t>(count), bytes = words * sizeof(uint32_t);
     if (!omp::sorts_without_starts(count, bits) || omp::room_of_cell_sort(sort) > bytes) {
       if (leads()) omp::stable_sort_by_key(keys, values, count, true);

@@ -15,8 +15,8 @@ constexpr double sum_flops = 3;              // of a force that is there already
 constexpr double integrate_flops = 22;       // w f + g, r d + h a, x + d
 constexpr double drag_flops = 10;
 constexpr double pin_flops = 9;
-constexpr double wind_flops = 84;   // of one triangle, for one of its corners
-constexpr double region_flops = 6;  // has the block left the region of its list of colliders?
+constexpr double wind_flops = 84;    // of one triangle, for one of its corners
+constexpr double region_flops = 6;   // has the block left the region of its list of colliders?
 constexpr double outrun_flops = 14;  // is it where the list of near pairs expects it?
 constexpr double survey_flops = 16, reach_flops = 6, normal_flops = 23;
 // Of the test alone: a particle that is inside pays 50 to 80 more.

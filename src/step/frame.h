@@ -16,13 +16,13 @@ struct Frame {
   bool newcomers;    ///< some cloth has not moved yet: its start belongs to `dt`
   Vec3<T> gravity;
   Wind<T> wind;
-  int begin;      ///< substep to go on with: 0, but where a list of pairs needed more room
-  int list_age;   ///< substeps since the list of near pairs was made; -1: there is none
-  int list_since; ///< since particles were last expected to go on in some way; -1: never
-  int list_every; ///< where the host cannot see (Team::sees): substeps that lists are made for; 0:
-                  ///< every substep makes one of its own
-  int list_for;   ///< there: substeps that the list at hand was made for
-  bool by_block;  ///< some cloth has a list of colliders for each of its blocks
+  int begin;       ///< substep to go on with: 0, but where a list of pairs needed more room
+  int list_age;    ///< substeps since the list of near pairs was made; -1: there is none
+  int list_since;  ///< since particles were last expected to go on in some way; -1: never
+  int list_every;  ///< where the host cannot see (Team::sees): substeps that lists are made for; 0:
+                   ///< every substep makes one of its own
+  int list_for;    ///< there: substeps that the list at hand was made for
+  bool by_block;   ///< some cloth has a list of colliders for each of its blocks
   Workers workers = 1;
 };
 

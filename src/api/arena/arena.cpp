@@ -5,9 +5,9 @@
 
 #include "api/arena/fill.h"
 #include "api/arena/collider_inputs.h"
+#include "api/arena/contact_frame.h"
 #include "api/arena/contacts.h"
 #include "api/arena/device_memory.h"
-#include "api/arena/device_vectors.h"
 #include "api/arena/origins.h"
 #include "api/arena/overflow.h"
 #include "api/arena/parts.h"
@@ -15,6 +15,7 @@
 #include "api/arena/probe.h"
 #include "api/arena/spring_watcher.h"
 #include "api/arena/survey.h"
+#include "api/arena/vectors.h"
 
 namespace weft::api {
 
@@ -75,7 +76,8 @@ class ArenaOf final : public Arena, public HostObject {
     if (status != Status::ok) return status;
     Frame<T> frame = make_frame(in, input);
     frame.by_block = colliders_.by_block();
-    status = sim_.contacts.state ? contacts_.run(frame) : backend_.frame(frame);
+    status = sim_.contacts.state ? frame_with_contact(backend_, contacts_, frame)
+                                 : backend_.frame(frame);
     sim_ = frame.sim;
     if (status == Status::ok) status = contacts_.wake_touched(in, sim_);
     for (ClothRecord* cloth : in.cloths) {
@@ -179,12 +181,12 @@ class ArenaOf final : public Arena, public HostObject {
     job.out_normal = target.normal;
     job.out_last = target.last_position;
     Vector<T> mirrors[3];
-    Status status = on_host(sim_.x[0], cloth, mirrors[0], job.now);
+    Status status = on_host(context_, sim_.x[0], cloth, mirrors[0], job.now);
     if (status == Status::ok && job.alpha != T(1)) {
-      status = on_host(device_.before, cloth, mirrors[1], job.before);
+      status = on_host(context_, device_.before, cloth, mirrors[1], job.before);
     }
     if (status == Status::ok && target.normal.format != VertexFormat::none) {
-      status = on_host(sim_.x[1], cloth, mirrors[2], job.normal);
+      status = on_host(context_, sim_.x[1], cloth, mirrors[2], job.normal);
     }
     return status == Status::ok ? context_.host().write_vertices(job, workers) : status;
   }
@@ -221,10 +223,21 @@ class ArenaOf final : public Arena, public HostObject {
   Status near_pairs(const ArenaInput& in, bool with_excluded, Workers workers,
                     Vector<NearPair>& out) override {
     if (!sim_.contacts.state) return Status::ok;
-    Frame<T> frame{};
-    frame.workers = workers;
-    frame.position_form = in.world->form == Form::position;
-    return contacts_.near_pairs(in, sim_, frame, with_excluded, out);
+    Status status = contacts_.upload(in, sim_);
+    for (bool wanted = true; wanted && status == Status::ok;) {
+      Frame<T> frame{};
+      frame.sim = sim_;
+      frame.sim.contacts.with_excluded = with_excluded ? 1 : 0;
+      frame.workers = workers;
+      frame.position_form = in.world->form == Form::position;
+      contacts_.forget_list();
+      status = backend_.pairs(frame);
+      if (status == Status::ok) status = contacts_.make_room(sim_, wanted);
+    }
+    Vector<Vec3<T>> x;
+    if (status == Status::ok) status = fetch(sim_.x[0], 0, size_t(sim_.blocks) * block_size, x);
+    if (status != Status::ok) return status;
+    return contacts_.near_pairs(in, sim_, x, with_excluded, out);
   }
   void list_counts(uint64_t& lists, uint64_t& listed) const override {
     contacts_.counts(lists, listed);
@@ -301,21 +314,6 @@ class ArenaOf final : public Arena, public HostObject {
         backend_.to_host(found_.data(), sim_.survey, found_.size() * sizeof(Survey<T>));
     if (status == Status::ok) take_survey(in, found_);
     return status;
-  }
-
-  /// An array of vectors from the cloth's first element on, where the host can read it.
-  Status on_host(const Vec3Array<T>& from, const ClothRecord& cloth, Vector<T>& mirror,
-                 Vec3Array<T>& out) {
-    if (backend_.info().host_memory) {
-      out = {from.data + int64_t(cloth.first()) * stride(), from.pitch};
-      return Status::ok;
-    }
-    Vector<Vec3<T>> values;
-    const size_t count = cloth.cooked().vertices;
-    const Status status = fetch(from, cloth.first(), count, values);
-    if (status != Status::ok) return status;
-    out = arranged(values, static_cast<size_t>(context_.host().info().vector_stride), mirror);
-    return Status::ok;
   }
 
   /// Parts that have changed, into room that is there already.

@@ -22,31 +22,15 @@ class ContactTables {
   Status upload(const ArenaInput&, Simulation<T>&);
   /// Whether a list wants more room than it has; then it gets it.
   Status make_room(Simulation<T>&, bool& wanted);
-  /// A frame, which is gone on with or made again when its list of pairs has got more room; without
-  /// memory for it the frame has not been.
-  Status run(Frame<T>&);
-  /// After a frame: which sleepers were touched.
-  Status wake_touched(const ArenaInput&, const Simulation<T>&);
-  /// The list is of no more use: where particles are has changed without a step.
-  void forget_list() { age_ = -1; }
-  /// `frame`: of whom and how; a list of the present is made.
-  Status near_pairs(const ArenaInput&, Simulation<T>&, Frame<T> frame, bool with_excluded,
-                    Vector<NearPair>&);
-  void counts(uint64_t& lists, uint64_t& listed) const {
-    lists = lists_;
-    listed = listed_;
-  }
-  uint64_t bytes() const { return memory_.data() ? memory_.bytes() : 0; }
-
- private:
-  Status read_state(const Simulation<T>&, ContactState&);
-  Status grow(Simulation<T>&, const ContactState&);
   /// What is to be done after a call of Backend::frame; the room that a list wants is there then.
   Status judge(Frame<T>&, FrameVerdict&);
-  Status back_to(const Simulation<T>& start, const Vec3Array<T>& d, Frame<T>&);
-  /// No sleeper was touched, after all.
+  /// After a frame: which sleepers were touched.
+  Status wake_touched(const ArenaInput&, const Simulation<T>&);
+  /// None, after all.
   Status forget_touched(const Simulation<T>&);
-  /// The list is of no more use, nor what it expects of particles.
+  /// The list is of no more use: where particles are has changed without a step.
+  void forget_list() { age_ = -1; }
+  /// Nor is what it expects of particles.
   void forget_motion() { age_ = since_ = -1; }
   void give_age(Frame<T>& frame) {
     const double longer = frame.dt - frame.dt_before;  // s: then they go on in another way
@@ -61,6 +45,18 @@ class ContactTables {
     since_ = frame.list_since;
     made_for_ = frame.list_for;
   }
+
+  Status near_pairs(const ArenaInput&, const Simulation<T>&, const Vector<Vec3<T>>& positions,
+                    bool with_excluded, Vector<NearPair>&);
+  void counts(uint64_t& lists, uint64_t& listed) const {
+    lists = lists_;
+    listed = listed_;
+  }
+  uint64_t bytes() const { return memory_.data() ? memory_.bytes() : 0; }
+
+ private:
+  Status read_state(const Simulation<T>&, ContactState&);
+  Status grow(Simulation<T>&, const ContactState&);
   bool lists_last(const Frame<T>& frame) const {
     const Contacts<T>& c = frame.sim.contacts;
     return c.search == Search::complete && c.skin > 0 && wait_ == 0 && !alone_;

@@ -7,11 +7,8 @@
 // the displacements only the approach goes, so that an overlap gives no speed, and friction holds
 // what it can of the rest.
 //
-// One pass does not tell the lowest of a heap what lies on it: without more, each layer would go on
-// sinking until its overlap pushes it up as fast as it falls, which for N layers is an overlap of
-// some N^3 times the fall of a substep. So an overlapping pair that does not part also takes what
-// weight may press on it, as far as its overlap: that carries a heap with an overlap of the order
-// of N times that fall. Without gravity there is nothing to carry, and no overlap gives a speed.
+// One such pass hands a weight on by one layer of a heap. So they are repeated, where there is
+// anything to repeat: in the pairs that touched before the first, so that no list's age shows.
 #pragma once
 
 #include "base/atomic_words.h"
@@ -57,6 +54,8 @@ struct OwnPairs {
   WEFT_HD Pair<T> operator()(int i, int j) const {
     return {load(x, i) - load(x, j), distance, false};
   }
+  WEFT_HD Vec3<T> between(int) const { return {T(0), T(0), T(0)}; }
+  WEFT_HD T distance_to(int) const { return distance; }
 };
 /// And where another cloth is near, whose positions are relative to another origin.
 template <class T>
@@ -67,11 +66,19 @@ struct ForeignPairs {
 
   WEFT_HD Pair<T> operator()(int i, int j) const {
     const int other = sim.block.cloth[j / block_size];
-    const ContactCloth &a = sim.contacts.cloth[of_cloth], &b = sim.contacts.cloth[other];
-    const Vec3<T> between{T(a.origin[0] - b.origin[0]), T(a.origin[1] - b.origin[1]),
-                          T(a.origin[2] - b.origin[2])};
-    return {(load(x, i) - load(x, j)) + between, T(0.5 * (a.distance + b.distance)),
+    return {(load(x, i) - load(x, j)) + between(j), distance_to(j),
             sim.activity[other].asleep != 0};
+  }
+  /// From the other's origin to this one's.
+  WEFT_HD Vec3<T> between(int j) const {
+    const ContactCloth& a = sim.contacts.cloth[of_cloth];
+    const ContactCloth& b = sim.contacts.cloth[sim.block.cloth[j / block_size]];
+    return {T(a.origin[0] - b.origin[0]), T(a.origin[1] - b.origin[1]),
+            T(a.origin[2] - b.origin[2])};
+  }
+  WEFT_HD T distance_to(int j) const {
+    const ContactCloth& a = sim.contacts.cloth[of_cloth];
+    return T(0.5 * (a.distance + sim.contacts.cloth[sim.block.cloth[j / block_size]].distance));
   }
 };
 
@@ -86,8 +93,16 @@ WEFT_HD void with_pairs(const Simulation<T>& sim, Vec3Array<T> x, int block, Wor
   }
 }
 
-/// Counts the partners that touch.
-template <class T>
+/// Whether a pair touched before anything was put apart in this substep.
+template <class T, class Pairs>
+WEFT_HD bool touched(const Pairs& pairs, const Vec3Array<T>& first, int i, int j) {
+  const Vec3<T> apart = pairs.between(j) + (load(first, i) - load(first, j));
+  const T distance = pairs.distance_to(j);
+  return dot(apart, apart) < distance * distance;
+}
+
+/// Counts the partners that touch. `Again`: in a repetition.
+template <class T, bool Again>
 struct CountTouching {
   Simulation<T> sim;
   Vec3Array<T> x;
@@ -96,9 +111,10 @@ struct CountTouching {
   WEFT_HD void operator()(int block, int lane0, Lanes<N> lanes) const {
     const Contacts<T>& c = sim.contacts;
     const int width = c.row_width[block];
-    if (width == 0) return;
+    if (width == 0 || (Again && c.busy[block] == 0)) return;
     const int i0 = block * block_size + lane0;
-    int32_t count[N];
+    const Vec3Array<T> first = c.first;
+    int32_t count[N], most[N];
     lanes.each([&](int l) WEFT_LANE { count[l] = 0; });
     with_pairs(sim, x, block, [&](auto pairs) {
       const int32_t* row = c.entry + c.row_start[block] + lane0;
@@ -107,12 +123,25 @@ struct CountTouching {
           const int j = row[l];
           const Pair<T> pair = pairs(i0 + l, j);
           const bool touches = dot(pair.apart, pair.apart) < pair.distance * pair.distance;
-          count[l] += touches & (j != i0 + l) ? 1 : 0;
+          const bool met = !Again || touched(pairs, first, i0 + l, j);
+          count[l] += touches & met & (j != i0 + l) ? 1 : 0;
         });
       }
     });
     int32_t* touching = c.touching;
-    lanes.each([&](int l) WEFT_LANE { touching[i0 + l] = count[l]; });
+    lanes.each([&](int l) WEFT_LANE {
+      touching[i0 + l] = count[l];
+      most[l] = count[l];
+    });
+    if constexpr (!Again) {
+      const int32_t any = largest_of_lanes(most, lanes);
+      if (lane0 == 0) c.busy[block] = any > 0 ? 1 : 0;
+      const Vec3Array<T> now = x;
+      lanes.each([=](int l) WEFT_LANE { store(first, i0 + l, load(now, i0 + l)); });
+      if (c.shift_of_form.data == nullptr) return;
+      const Vec3Array<T> shift = c.shift_of_form;
+      lanes.each([=](int l) WEFT_LANE { store(shift, i0 + l, Vec3<T>{T(0), T(0), T(0)}); });
+    }
   }
 };
 
@@ -133,12 +162,12 @@ struct PushApart {
   Simulation<T> sim;
   ParticleBuffers<T> p;
   T dt;
-  T weight;  ///< m: most that a pair carries without having approached
+  int again;  ///< 1: a repetition
 
   template <int N>
   WEFT_HD void operator()(int block, int lane0, Lanes<N> lanes) const {
     const Contacts<T>& c = sim.contacts;
-    if (c.row_width[block] == 0) return;
+    if (c.row_width[block] == 0 || (again != 0 && c.busy[block] == 0)) return;
     const int i0 = block * block_size + lane0;
     const int32_t* touching = c.touching;
     if (!lanes.any([&](int l) WEFT_LANE { return touching[i0 + l] > 0; })) {
@@ -170,7 +199,10 @@ struct PushApart {
     const int32_t* touching = c.touching;
     const uint32_t* rank = c.rank;
     const T* inverse_mass = sim.inverse_mass;
-    const T friction = c.friction, carries = weight;
+    const T friction = c.friction;
+    const Vec3Array<T> first_x = c.first;
+    const bool first = again == 0;
+    const Vec3Array<T> shift = c.shift_of_form;
     const ParticleBuffers<T> buffers = p;
     const T tiny = sizeof(T) == 4 ? T(1e-34) : T(1e-290);
     for (int k = 0; k < width; ++k, row += block_size) {
@@ -178,7 +210,8 @@ struct PushApart {
         const int i = i0 + l, j = row[l];
         const Pair<T> pair = pairs(i, j);
         const T length2 = dot(pair.apart, pair.apart);
-        const bool touches = (length2 < pair.distance * pair.distance) & (j != i);
+        const bool acting = first | touched(pairs, first_x, i, j);
+        const bool touches = (length2 < pair.distance * pair.distance) & (j != i) & acting;
         const T m_i = inverse_mass[i], m_j = inverse_mass[j];  // read in any case: no branch
         const T w_i = asleep ? T(0) : m_i, w_j = pair.asleep ? T(0) : m_j;
         const T both = w_i + w_j;
@@ -189,10 +222,8 @@ struct PushApart {
         const T length = together ? T(0) : square_root(length2);
         const Vec3<T> n = select(together, direction_of_ranks<T>(rank[i], rank[j]),
                                  (T(1) / (together ? T(1) : length)) * pair.apart);
-        const Vec3<T> d_j = went(buffers, j), slip = went(buffers, i) - d_j;
-        const T across = dot(slip, n);
-        const T carried = across > T(0) ? T(0) : smaller(pair.distance - length, carries);
-        const T against = larger(T(0), -across) + larger(T(0), carried);
+        const Vec3<T> d_j = went(buffers, shift, j), slip = went(buffers, shift, i) - d_j;
+        const T across = dot(slip, n), against = larger(T(0), -across);
         const Vec3<T> sliding = slip - across * n;
         const T most = friction * against, sliding2 = dot(sliding, sliding);
         const T held = sliding2 > most * most ? most / square_root(sliding2) : T(1);
@@ -214,10 +245,10 @@ struct PushApart {
     }
   }
 
-  /// Displacement of this substep so far.
-  WEFT_HD static Vec3<T> went(const ParticleBuffers<T>& p, int i) {
+  /// Displacement of this substep so far, without what overlaps have moved.
+  WEFT_HD static Vec3<T> went(const ParticleBuffers<T>& p, const Vec3Array<T>& shift, int i) {
     if constexpr (Position) {
-      return load(p.x_out, i) - load(p.x_in, i);
+      return (load(p.x_out, i) - load(p.x_in, i)) - load(shift, i);
     } else {
       return load(p.d_out, i);
     }
@@ -225,27 +256,29 @@ struct PushApart {
 };
 
 /// Moves the particles by it. In the position form the displacement follows from the positions:
-/// what must not become speed waits until the colliders have spoken (KeepDisplacement), in the
-/// place of the brake, and the position in that of the push.
+/// what must not become speed is added up (Contacts::shift_of_form) and waits until the colliders
+/// have spoken (KeepDisplacement), the position in the place of the push.
 template <class T, bool Position>
 struct ApplyPushes {
   Simulation<T> sim;
   ParticleBuffers<T> p;
+  int again;  ///< 1: a repetition
 
   template <int N>
   WEFT_HD void operator()(int block, int lane0, Lanes<N> lanes) const {
     const Contacts<T>& c = sim.contacts;
     if (c.row_width[block] == 0 || sim.activity[sim.block.cloth[block]].asleep) return;
+    if (again != 0 && c.busy[block] == 0) return;
     const int i0 = block * block_size + lane0;
     const ParticleBuffers<T> buffers = p;
-    const Vec3Array<T> pushes = c.push, brakes = c.brake;
+    const Vec3Array<T> pushes = c.push, brakes = c.brake, shift = c.shift_of_form;
     lanes.each([=](int l) WEFT_LANE {
       const Vec3<T> push = load(pushes, i0 + l), brake = load(brakes, i0 + l);
       const Vec3<T> to = load(buffers.x_out, i0 + l) + push;
       store(buffers.x_out, i0 + l, to);
       if constexpr (Position) {
         store(pushes, i0 + l, to);
-        store(brakes, i0 + l, push - brake);
+        store(shift, i0 + l, load(shift, i0 + l) + (push - brake));
       } else {
         store(buffers.d_out, i0 + l, load(buffers.d_out, i0 + l) + brake);
       }
@@ -265,7 +298,7 @@ struct KeepDisplacement {
     if (c.row_width[block] == 0 || sim.activity[sim.block.cloth[block]].asleep) return;
     const int i0 = block * block_size + lane0;
     const ParticleBuffers<T> buffers = p;
-    const Vec3Array<T> pushed = c.push, overlap = c.brake;
+    const Vec3Array<T> pushed = c.push, overlap = c.shift_of_form;
     lanes.each([=](int l) WEFT_LANE {
       const Vec3<T> x = load(buffers.x_out, i0 + l), to = load(pushed, i0 + l);
       const bool same = (x.x == to.x) & (x.y == to.y) & (x.z == to.z);

@@ -63,34 +63,34 @@ struct Contacts {
   ContactState* state;  ///< null: no cloth meets another, or itself
   Search search;
   int32_t grids, window;
-  double cell;             ///< m: of Search::staggered
-  double shift[3];         ///< m: of its grid at hand
-  int32_t diagonal;        ///< its shifts go along (1,1,1)
-  double skin;             ///< m: of a particle that goes its way; 0: no list outlives a substep
-  double most_distance;    ///< m: of all cloths
-  double most_stop;        ///< m: that the skin grows by of who may be stopped
-  double most_drift;       ///< m: that particles drift apart at most while a list lasts
-  T friction;              ///< coefficient of Coulomb friction
-  int32_t with_excluded;   ///< 1: pairs whose rest distance is too short are listed too
-  int32_t every_block;     ///< 1: colliders wait for contact in every block, not the listed alone
-  T age;                   ///< substeps since the list was made, the one at hand included
+  double cell;            ///< m: of Search::staggered
+  double shift[3];        ///< m: of its grid at hand
+  int32_t diagonal;       ///< its shifts go along (1,1,1)
+  double skin;            ///< m: of a particle that goes its way; 0: no list outlives a substep
+  double most_distance;   ///< m: of all cloths
+  double most_stop;       ///< m: that the skin grows by of who may be stopped
+  double most_drift;      ///< m: that particles drift apart at most while a list lasts
+  T friction;             ///< coefficient of Coulomb friction
+  int32_t with_excluded;  ///< 1: pairs whose rest distance is too short are listed too
+  int32_t every_block;    ///< 1: colliders wait for contact in every block, not the listed alone
+  T age;                  ///< substeps since the list was made, the one at hand included
   const ContactCloth* cloth;
-  const uint32_t* rank;    ///< by particle: in the caller's order, over all cloths
-  const double* rest;      ///< rest positions: x, y, z by turns
+  const uint32_t* rank;       ///< by particle: in the caller's order, over all cloths
+  const double* rest;         ///< rest positions: x, y, z by turns
   unsigned long long* woken;  ///< by cloth: 1 when something fast touches the sleeper
 
   // The search. Sorted arrays have a block more than there are particles.
-  ContactBox* box;           ///< by block
+  ContactBox* box;  ///< by block
   ContactZone* zone;
-  int32_t key_bits;          ///< of a key; the largest one stands for padding
-  int32_t entries_a_grid;    ///< of the sorted arrays of a grid
-  uint32_t *key, *element;   ///< sorted; of every grid
-  uint32_t* room;            ///< for the sort of a grid
-  int64_t room_words;        ///< of it
-  uint32_t* place;           ///< Search::staggered: where an element is in the order of every grid
-  uint32_t* cell_start;      ///< by key, and one more
+  int32_t key_bits;         ///< of a key; the largest one stands for padding
+  int32_t entries_a_grid;   ///< of the sorted arrays of a grid
+  uint32_t *key, *element;  ///< sorted; of every grid
+  uint32_t* room;           ///< for the sort of a grid
+  int64_t room_words;       ///< of it
+  uint32_t* place;          ///< Search::staggered: where an element is in the order of every grid
+  uint32_t* cell_start;     ///< by key, and one more
   Vec3Array<T> spot, drift_of_spot;  ///< sorted: position from state->low, displacement
-  T* radius_of_spot;         ///< m: half the distance, and the skin
+  T* radius_of_spot;                 ///< m: half the distance, and the skin
   int32_t* cloth_of_spot;
 
   // The list: rows of 32 particles, as wide as the longest, filled up with the particle itself.
@@ -105,8 +105,11 @@ struct Contacts {
   Vec3Array<T> start_x, start_d;  ///< before a frame, for one that cannot be finished
 
   // Response.
-  int32_t* touching;         ///< by particle: partners
-  Vec3Array<T> push, brake;  ///< what is added to the position, to the displacement
+  int32_t* touching;           ///< by particle: partners
+  Vec3Array<T> push, brake;    ///< what is added to the position, to the displacement
+  Vec3Array<T> shift_of_form;  ///< position form: of push, what must not become displacement
+  Vec3Array<T> first;          ///< positions before any push of the substep
+  int32_t* busy;               ///< by block: 1 where anything touches there
 
   template <class Arrays>
   constexpr void arrays(Arrays& array, const Counts& n) {
@@ -146,9 +149,11 @@ struct Contacts {
     array(touching, particles);
     array(push, particles);
     array(brake, particles);
+    array(shift_of_form, n.position_form ? particles : 0);
+    array(first, particles);
+    array(busy, blocks);
     array.later(search, grids, window, cell, shift, diagonal, skin, most_distance, most_stop,
-                most_drift, friction,
-                with_excluded, every_block, age, entry, capacity);
+                most_drift, friction, with_excluded, every_block, age, entry, capacity);
   }
 };
 

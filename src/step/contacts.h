@@ -77,22 +77,26 @@ void list_pairs(const Team& team, const Simulation<T>& sim, const ParticleBuffer
   team.lap(Lap::contacts);
 }
 
-/// The way that gravity makes of a substep, times what a pair may carry of it: some ten layers, a
-/// fifth of whose weight goes through each of the pairs around a particle.
-template <class T>
-T weight_of_heap(const StepParams<T>& step) {
-  constexpr double layers = 100;
-  return T(layers) * square_root(dot(step.gravity, step.gravity)) * step.dt * step.dt;
-}
+/// How often particles in contact are put apart in a substep: each time hands what presses on them
+/// on by a layer.
+constexpr int contact_passes = 4;
 
 template <bool Position, class T, class Team>
 void push_apart(const Team& team, const Simulation<T>& sim, const ParticleBuffers<T>& p,
                 const StepParams<T>& step) {
-  team.for_each_block(sim.blocks, CountTouching<T>{sim, p.x_out});
-  team.meet();
-  team.for_each_block(sim.blocks, PushApart<T, Position>{sim, p, step.dt, weight_of_heap(step)});
-  team.meet();
-  team.for_each_block(sim.blocks, ApplyPushes<T, Position>{sim, p});
+  for (int pass = 0; pass < contact_passes; ++pass) {
+    const int again = pass > 0 ? 1 : 0;
+    if (again != 0) {
+      team.meet();
+      team.for_each_block(sim.blocks, CountTouching<T, true>{sim, p.x_out});
+    } else {
+      team.for_each_block(sim.blocks, CountTouching<T, false>{sim, p.x_out});
+    }
+    team.meet();
+    team.for_each_block(sim.blocks, PushApart<T, Position>{sim, p, step.dt, again});
+    team.meet();
+    team.for_each_block(sim.blocks, ApplyPushes<T, Position>{sim, p, again});
+  }
   team.lap(Lap::contacts);
 }
 

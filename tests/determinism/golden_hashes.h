@@ -136,6 +136,12 @@ inline constexpr EffectHashes effect_hashes[] = {
     {"tethers", {0x46fd4bab57d3062c, 0x414bbe941f354ea6, 0x81af43fc2aad8849, 0x51787cdf0a150524}},
     {"soft_tethers",
      {0x7c5f73e8bcd845dc, 0x91e71b701a0e90f9, 0xdc892848d5d5db8c, 0x9cd8e0bf2432d4cc}},
+    {"collider_layers",
+     {0xd826645028999e1d, 0x266b847618f08f51, 0x14d51e3b938bdf87, 0xcb008e53ab302155}},
+    {"self_collision",
+     {0x3b69a66c17fbe785, 0x7a076496b7c176f4, 0xdd0b0c78700bc07d, 0xb0a6c05ba5d762cd}},
+    {"staggered_grids",
+     {0x3b69a66c17fbe785, 0x7a076496b7c176f4, 0xdd0b0c78700bc07d, 0xb0a6c05ba5d762cd}},
 };
 
 }  // namespace weft_tests

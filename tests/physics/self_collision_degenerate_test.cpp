@@ -80,7 +80,10 @@ TEST_P(SelfCollisionDegenerate, ManyAtOnePlaceSeparate) {
       for (uint32_t j = 0; j < i; ++j) least = std::min(least, length(x[i] - x[j]));
     }
     EXPECT_GE(least, 0.95 * 0.125);
-    EXPECT_LE(length(sum), wide() ? 1e-11 : 1e-3) << "the centre of mass stays";
+    // The position form rounds a displacement at the size of the position, eight times a substep,
+    // and goes on with it: 60 * 8 * 3e-8 m, times some 400^1.5 / 2 at random.
+    const double rounds = world().form == weft::Form::position ? 0.057 : 1e-3;
+    EXPECT_LE(length(sum), wide() ? 1e-11 : rounds) << "the centre of mass stays";
     EXPECT_LE(length(from_weft(test.mechanics().momentum)), wide() ? 1e-11 : 1e-2);
     EXPECT_LE(test.mechanics().kinetic, 1e-6 * count) << "an overlap gives speed";
   }

@@ -34,17 +34,22 @@ inline bool touch(const ContactParticle& a, const ContactParticle& b) {
 /// One pass over all pairs, each from the positions before it. A pair parts by its overlap and its
 /// relative displacement loses its approach, and what friction takes of the rest, by inverse
 /// masses and divided by the larger of the numbers of partners.
-inline void push_apart(std::vector<ContactParticle>& all, double friction) {
+/// Only pairs count that touched at the `first` positions too.
+inline void push_apart(std::vector<ContactParticle>& all, double friction,
+                       const std::vector<ContactParticle>& first) {
   const size_t n = all.size();
   std::vector<int> partners(n, 0);
+  const auto meet = [&](size_t i, size_t j) {
+    return touch(all[i], all[j]) && touch(first[i], first[j]);
+  };
   for (size_t i = 0; i < n; ++i)
-    for (size_t j = 0; j < n; ++j) partners[i] += i != j && touch(all[i], all[j]);
+    for (size_t j = 0; j < n; ++j) partners[i] += i != j && meet(i, j);
   std::vector<Vec> moved(n), braked(n);
   for (size_t i = 0; i < n; ++i)
     for (size_t j = i + 1; j < n; ++j) {
       const ContactParticle &a = all[i], &b = all[j];
       const double w = a.inverse_mass + b.inverse_mass;
-      if (w == 0 || !touch(a, b)) continue;
+      if (w == 0 || !meet(i, j)) continue;
       const Vec line = b.x - a.x, closing = b.d - a.d;
       const double gap = length(line);
       const Vec along = (1 / gap) * line;
@@ -70,7 +75,8 @@ inline void push_apart(std::vector<ContactParticle>& all, double friction) {
 inline void contact_step(std::vector<ContactParticle>& all, double friction) {
   for (ContactParticle& p : all)
     if (p.inverse_mass > 0) p.x += p.d;
-  push_apart(all, friction);
+  const std::vector<ContactParticle> first = all;
+  for (int pass = 0; pass < 4; ++pass) push_apart(all, friction, first);
 }
 
 }  // namespace reference

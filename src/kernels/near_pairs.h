@@ -89,7 +89,7 @@ struct WriteRows {
       } else {
         n = 0;
         finder.template search<1>(sim, i0 + l, 1, of_cloth, [&](int, int32_t j, int, bool meets) {
-          if (meets) row[int64_t(n++) * block_size] = j;
+          if (meets && n < count[l]) row[int64_t(n++) * block_size] = j;
         });
         heap_sort(c.rank, row, n);
       }
@@ -201,6 +201,15 @@ struct CompleteFinder {
 
  private:
   static constexpr int most_kept = 64, chunk = 4, run = 8;
+  static constexpr int most_cells = 1 << 28;
+  /// A radius that no other makes a reach of.
+  WEFT_HD static constexpr T nobody() {
+    if constexpr (sizeof(T) == 4) {
+      return T(-3e38);
+    } else {
+      return T(-1e308);
+    }
+  }
 
   /// Particles that look for all that come nearer than the radii of both while both drift.
   template <int G>
@@ -240,7 +249,7 @@ struct CompleteFinder {
       all.spot.set(l, {T(from_low[0]), T(from_low[1]), T(from_low[2])});
       all.drift.set(l, drift);
       const T radius = half + (lasts ? c.skin_of[at] : T(0));
-      all.radius[l] = live ? radius : T(-1e30);
+      all.radius[l] = live ? radius : nobody();
       if (!live) continue;
       all.most_radius = larger(all.most_radius, radius);
       slow = {smaller(slow.x, drift.x), smaller(slow.y, drift.y), smaller(slow.z, drift.z)};
@@ -357,11 +366,10 @@ struct CompleteFinder {
       for (int k = 0; k < chunk; ++k) {
         const int q = kept[from + k < n ? from + k : from];
         const Vec3<T> spot = load(spots, q), drift = load(drifts, q);
-        const T radius = from + k < n ? radii[q] : T(-1e30);
+        const T radius = from + k < n ? radii[q] : nobody();
         const int self = static_cast<int>(elements[q]) - all.first;
         Lanes<G>{}.each([&](int l) WEFT_LANE {
-          // |d + t v|^2 - reach^2 at the start, at the end, and, times v^2, where it is least. The
-          // hair covers the rounding of the last.
+          // |d + t v|^2 - reach^2 at the start, at the end and, times v^2, where it is least.
           const Vec3<T> d = spot - own.get(l), v = drift - own_drift.get(l);
           const T reach = larger(radius + own_radius[l], T(0));
           const T dv = dot(d, v), v2 = dot(v, v);
@@ -370,7 +378,6 @@ struct CompleteFinder {
           const T between = at_start * v2 - dv * dv;
           const bool passes = (dv < T(0)) & (dv + horizon * v2 > T(0));
           const T least = smaller(smaller(at_start, at_end), passes ? between : T(1));
-          // Nobody: itself, what has no radius, where rounding may make the last one negative.
           const T of_other = reach > T(0) ? least : T(1);
           excess[k][l] = l == self ? T(1) : of_other;
         });
@@ -380,12 +387,11 @@ struct CompleteFinder {
                T(0);
       });
       if (!any) continue;
-      // No branch for each: none could be foretold.
       int hits[chunk * G + 1], found = 0;
       for (int k = 0; k < chunk; ++k) {
         for (int l = 0; l < G; ++l) {
           hits[found] = k * G + l;
-          found += excess[k][l] < T(0) ? 1 : 0;
+          found += (excess[k][l] < T(0)) & (from + k < n) ? 1 : 0;
         }
       }
       for (int h = 0; h < found; ++h) candidate(hits[h] % G, kept[from + hits[h] / G]);

@@ -45,9 +45,10 @@ TEST_P(SamplePictures, LookAsTheyDid) {
     GTEST_SKIP() << "the mesh is not on this machine (apt-get install assimp-testmodels)";
   }
   const TemporaryFolder folder;
-  const Outcome outcome = run_weft(
-      "run --time 1 --every 0.25 --format png --size 320x180 --out " + folder.string() + " " + file,
-      in_software);
+  const Outcome outcome =
+      run_weft("run --threads 1 --time 1 --every 0.25 --format png --size 320x180 --out " +
+                   folder.string() + " " + file,
+               in_software);
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   const Image got = read_png(folder / "frame_000004.png");
   const Image want = read_png(std::string(WEFT_GOLDEN_PICTURES) + "/" + name + ".png");

@@ -176,10 +176,13 @@ bool substep_with_list(const Team& team, Simulation<T>& sim, const ParticleBuffe
   }
   respond_to_contact(team, sim, p, step);
   ++age.since;
-  if (age.substeps == c.state->horizon && team.leads()) {
-    const int limit = c.state->limit + 1 + c.state->limit / 4;
-    c.state->limit = limit < 4096 ? limit : 4096;
-    c.state->backoff = 1;
+  if (age.substeps == c.state->horizon) {
+    if (team.leads()) {
+      const int limit = c.state->limit + 1 + c.state->limit / 4;
+      c.state->limit = limit < 4096 ? limit : 4096;
+      c.state->backoff = 1;
+    }
+    team.meet();
   }
   return true;
 }

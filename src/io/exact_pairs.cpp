@@ -13,12 +13,12 @@ constexpr size_t leaf_size = 12;
 
 double square_of(double x, double y, double z) { return (x * x + y * y) + z * z; }
 
-struct Box {
+struct PointBox {
   double3 low, high;
 };
 
-Box box_of(const double3* points, size_t count) {
-  Box box{points[0], points[0]};
+PointBox box_of(const double3* points, size_t count) {
+  PointBox box{points[0], points[0]};
   for (size_t i = 1; i < count; ++i) {
     const double3& p = points[i];
     box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y), std::min(box.low.z, p.z)};
@@ -36,12 +36,12 @@ double span(double low_a, double high_a, double low_b, double high_b) {
 
 // Rounded differences, products and sums grow with what they are made of: the square of a pair lies
 // between these two to the last bit, and no margin is needed.
-double least_square(const Box& a, const Box& b) {
+double least_square(const PointBox& a, const PointBox& b) {
   return square_of(gap(a.low.x, a.high.x, b.low.x, b.high.x),
                    gap(a.low.y, a.high.y, b.low.y, b.high.y),
                    gap(a.low.z, a.high.z, b.low.z, b.high.z));
 }
-double most_square(const Box& a, const Box& b) {
+double most_square(const PointBox& a, const PointBox& b) {
   return square_of(span(a.low.x, a.high.x, b.low.x, b.high.x),
                    span(a.low.y, a.high.y, b.low.y, b.high.y),
                    span(a.low.z, a.high.z, b.low.z, b.high.z));
@@ -52,7 +52,7 @@ class Tree {
  public:
   struct Node {
     size_t begin, end;
-    Box box;
+    PointBox box;
     bool leaf;
   };
 
@@ -71,7 +71,7 @@ class Tree {
   void build(const std::vector<double3>& positions, size_t node, size_t begin, size_t end) {
     if (nodes.size() <= node) nodes.resize(2 * node + 1);
     for (size_t i = begin; i < end; ++i) points[i] = positions[vertices[i]];
-    const Box box = box_of(&points[begin], end - begin);
+    const PointBox box = box_of(&points[begin], end - begin);
     const bool leaf = end - begin <= leaf_size;
     nodes[node] = {begin, end, box, leaf};
     if (leaf) return;

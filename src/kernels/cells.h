@@ -282,7 +282,7 @@ struct CellKeys {
       const uint32_t of_cell = cell_along(state, 0, at.x, ox) << state.shift[0] |
                                cell_along(state, 1, at.y, oy) << state.shift[1] |
                                cell_along(state, 2, at.z, oz) << state.shift[2];
-      key[i] = (i < end) & (zero == T(0)) ? of_cell : none;
+      key[i] = ((i < end) & (zero == T(0))) ? of_cell : none;
       element[i] = static_cast<uint32_t>(i);
     });
     if (state.horizon > 0) note_in_zones(state, i0, end, ox, oy, oz, lanes);
@@ -299,8 +299,8 @@ struct CellKeys {
     int at = -1;
     for (int l = 0; l < N && i0 + l < end; ++l) {
       const Vec3<T> position = load(x, i0 + l), drift = load(c.drift, i0 + l);
-      const T zero = (position.x - position.x) + (position.y - position.y) +
-                     (position.z - position.z);
+      const T zero =
+          (position.x - position.x) + (position.y - position.y) + (position.z - position.z);
       if (!(zero == T(0))) continue;
       const int zone = zone_of(zone_along(state, 0, in_world(position.x, ox) - state.low[0]),
                                zone_along(state, 1, in_world(position.y, oy) - state.low[1]),

@@ -50,7 +50,7 @@ struct WriteRows {
                                       const int lane = from + l, n = count[lane];
                                       kept[lane][n < most_kept ? n : most_kept] = j;
                                       count[lane] = n + (meets ? 1 : 0);
-                                      foreign[lane] |= meets & (of_j != of_cloth) ? 1 : 0;
+                                      foreign[lane] |= (meets & (of_j != of_cloth)) ? 1 : 0;
                                     });
     }
     lanes.each_alone([&](int l) { most[l] = count[l]; });
@@ -317,13 +317,13 @@ struct CompleteFinder {
         const Vec3<T> spot = load(spots, q0 + k);
         const Vec3<T> way = horizon * (load(drifts, q0 + k) - mean);
         const T reach = own + radii[q0 + k];
-        const bool in_x = (spot.x + larger(way.x, zero) >= low.x - reach) &
-                          (spot.x + smaller(way.x, zero) <= high.x + reach);
-        const bool in_y = (spot.y + larger(way.y, zero) >= low.y - reach) &
-                          (spot.y + smaller(way.y, zero) <= high.y + reach);
-        const bool in_z = (spot.z + larger(way.z, zero) >= low.z - reach) &
-                          (spot.z + smaller(way.z, zero) <= high.z + reach);
-        near[k] = in_x & in_y & in_z ? 1 : 0;
+        const bool above_x = spot.x + larger(way.x, zero) >= low.x - reach;
+        const bool below_x = spot.x + smaller(way.x, zero) <= high.x + reach;
+        const bool above_y = spot.y + larger(way.y, zero) >= low.y - reach;
+        const bool below_y = spot.y + smaller(way.y, zero) <= high.y + reach;
+        const bool above_z = spot.z + larger(way.z, zero) >= low.z - reach;
+        const bool below_z = spot.z + smaller(way.z, zero) <= high.z + reach;
+        near[k] = (above_x & below_x & above_y & below_y & above_z & below_z) ? 1 : 0;
       });
       if (n + run > most_kept) {
         compare(c, all, kept, n, candidate);
@@ -378,7 +378,7 @@ struct CompleteFinder {
       for (int k = 0; k < chunk; ++k) {
         for (int l = 0; l < G; ++l) {
           hits[found] = k * G + l;
-          found += (excess[k][l] < T(0)) & (from + k < n) ? 1 : 0;
+          found += ((excess[k][l] < T(0)) & (from + k < n)) ? 1 : 0;
         }
       }
       for (int h = 0; h < found; ++h) candidate(hits[h] % G, kept[from + hits[h] / G]);

@@ -124,7 +124,7 @@ struct CountTouching {
           const Pair<T> pair = pairs(i0 + l, j);
           const bool touches = dot(pair.apart, pair.apart) < pair.distance * pair.distance;
           const bool met = !Again || touched(pairs, first, i0 + l, j);
-          count[l] += touches & met & (j != i0 + l) ? 1 : 0;
+          count[l] += (touches & met & (j != i0 + l)) ? 1 : 0;
         });
       }
     });
@@ -232,7 +232,8 @@ struct PushApart {
         push.set(l,
                  push.get(l) + select(acts, share * ((pair.distance - length) * n + drag), none));
         brake.set(l, brake.get(l) + select(acts, share * (against * n + drag), none));
-        wakes[l] |= touches & !pair.asleep & (dot(d_j, d_j) > limit * limit) ? 1 : 0;
+        const bool fast = dot(d_j, d_j) > limit * limit;
+        wakes[l] |= (touches & !pair.asleep & fast) ? 1 : 0;
       });
     }
     const Vec3Array<T> push_out = c.push, brake_out = c.brake;

@@ -67,9 +67,9 @@ namespace {
 
 /// Corners of one vertex whose triangles hang together by edges: where pieces touch in a vertex,
 /// each has a normal of its own there.
-class Fans {
+class CornerFans {
  public:
-  explicit Fans(size_t corners) : parent_(corners) {
+  explicit CornerFans(size_t corners) : parent_(corners) {
     std::iota(parent_.begin(), parent_.end(), 0u);
   }
 
@@ -102,7 +102,7 @@ void set_sides(const Surface& surface, CookedColliderMesh& mesh) {
   const size_t corners = surface.vertex.size();
   mesh.sides.resize(corners * 6);
   const Vector<Side> sides = sorted_sides(surface);
-  Fans fans(corners);
+  CornerFans fans(corners);
   for (size_t first = 0; first < sides.size();) {
     const size_t end = end_of_edge(sides, first);
     Point sum{0, 0, 0};

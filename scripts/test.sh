@@ -76,7 +76,7 @@ same_bits() {  # PRESET TOOL_OPTIONS...
 # After half a second; of the largest scene, which would take an hour at -O0, after two frames.
 state_hash() {  # PRESET [TOOL_OPTIONS...] SCENE
   local report time=0.5
-  [[ "${*: -1}" != */fold.json ]] || time=0.016
+  [[ "$*" != */fold.json* ]] || time=0.016
   report=$(mktemp)
   "build/$1/tools/weft" run --time "$time" --report "$report" "${@:2}" >/dev/null
   python3 -c 'import json, sys; print(json.load(open(sys.argv[1]))["state_hash"])' "$report"

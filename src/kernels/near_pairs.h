@@ -1,8 +1,8 @@
 // The list of pairs that are near, or may come near while it lasts.
 //
-// Complete: every pair that will be nearer than its distance lies in neighbouring cells, whose
-// edges are as long as that distance and all that particles may drift apart meanwhile. The 27 cells
-// around a particle are nine runs of the sorted order, since cells along x follow each other.
+// Complete: every pair that will be nearer than its distance lies in cells that are no further away
+// than that distance and all that the two may drift apart meanwhile. Those around a particle are a
+// few runs of the sorted order, since cells along x follow each other.
 #pragma once
 
 #include "kernels/cells.h"

@@ -1,10 +1,10 @@
 // The order of self-collision within a substep.
 //
 //   substep with a list:     advance (who is not where the list expects it?)
-//                            count | push | apply | colliders, in the blocks of the list
+//                            (count | push | apply) 4 times | colliders, in the blocks of the list
 //   making a list:           bounds, cells | keys | sort | cells' ranges | rows
 //   substep without:         advance, all colliders wait | list of the new positions |
-//                            count | push | apply | colliders, in every block
+//                            (count | push | apply) 4 times | colliders, in every block
 //
 // A list is made of the positions at the start of a substep and holds for as long as every particle
 // goes on as expected. When one has not, a list is made of the same start and the substep repeated;

@@ -118,6 +118,9 @@ struct AdvanceParticles {
     if (contacts.age > T(0) && has_outrun(contacts, stages.p.x_out, cloth.end, i0, lanes)) {
       atomic_most(&contacts.state->outrun, 1ull);
     }
+    if (contacts.still > T(0) && has_strayed(contacts, stages.p.x_out, cloth.end, i0, lanes)) {
+      atomic_most(&contacts.state->moved[contacts.substep % 2], contacts.substep);
+    }
     if (waits_for_contact(contacts, block)) return;
     if constexpr (contains(Set, Stage::colliders)) {
       if (sim.reach == nullptr) return;

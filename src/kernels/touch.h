@@ -21,7 +21,8 @@ namespace WEFT_BACKEND_NS {
 /// Whether colliders wait in this block for what other particles do to it.
 template <class T>
 WEFT_HD bool waits_for_contact(const Contacts<T>& c, int block) {
-  return c.every_block != 0 || c.row_width[block] > 0;
+  if (c.waits != Waits::listed) return c.waits == Waits::every;
+  return c.row_width[block] > 0;
 }
 
 /// Whether any particle of the block is further than a skin from where the list expects it.
@@ -34,6 +35,21 @@ WEFT_HD_COLD bool has_outrun(const Contacts<T>& c, Vec3Array<T> x, int end, int 
   return lanes.any([=](int l) WEFT_LANE {
     const Vec3<T> off = (load(x, i0 + l) - load(from, i0 + l)) - age * load(drift, i0 + l);
     return (i0 + l < end) & (dot(off, off) > skin[i0 + l] * skin[i0 + l]);
+  });
+}
+
+/// Whether any particle of the block has gone further than its budget from the average of all since
+/// the groups were looked at.
+template <class T, int N>
+WEFT_HD_COLD bool has_strayed(const Contacts<T>& c, Vec3Array<T> x, int end, int i0,
+                              Lanes<N> lanes) {
+  const Vec3Array<T> first = c.first;
+  const double* pace = c.state->pace;
+  const Vec3<T> usual = c.still * Vec3<T>{T(pace[0]), T(pace[1]), T(pace[2])};
+  const T most = c.budget * c.budget;
+  return lanes.any([=](int l) WEFT_LANE {
+    const Vec3<T> off = (load(x, i0 + l) - load(first, i0 + l)) - usual;
+    return (i0 + l < end) & !(dot(off, off) <= most);
   });
 }
 

@@ -53,6 +53,66 @@ struct ContactState {
   unsigned long long used;    ///< entries of the list that were wanted
   unsigned long long most;    ///< of all lists of a frame; where the host sees, since the start
   unsigned long long lists;   ///< made so far
+
+  // Groups of particles (ContactGroups).
+  double margin;  ///< m: groups further apart than their distance and this are in no pair
+  double pace[3];  ///< m: what particles went in a substep on average
+  unsigned long long least_left;  ///< m: of all pairs of groups, as an ordered double
+  unsigned long long most_path;   ///< m: of all blocks, so too
+  unsigned long long most_pace;   ///< m: from the average in a substep, so too
+  unsigned long long pairs;       ///< of groups that were wanted
+  unsigned long long moved[2];    ///< the last substep in which a particle went too far, by turns
+  unsigned long long crowded;     ///< 1: too many pairs of groups
+  uint64_t crowded_until;     ///< substep that groups are tried in again
+  int32_t crowd_backoff;      ///< the next such time, in 64 substeps
+};
+
+/// What colliders do in a substep of particles that meet each other: in blocks with a row in the
+/// list, in all blocks, or in none they wait for contact.
+enum class Waits : int32_t { listed, every, none };
+
+/// Particles that follow each other in memory, eight together: pairs of groups that are near, each
+/// with the way that their particles have until two of them can touch. Only the pairs that have
+/// none left are looked into.
+constexpr int contact_group = 8;
+constexpr int groups_a_block = block_size / contact_group;
+constexpr int groups_a_super = 32 * groups_a_block;  ///< of 32 blocks
+
+template <class T>
+struct ContactGroups {
+  int64_t capacity;   ///< pairs
+  double* box;        ///< m: low and high x, y, z by turns, in the world, of each group
+  double* block_box;  ///< of each block
+  double* super_box;  ///< of 32 blocks
+  T* motion[4];       ///< m: x, y, z that a group went since it was looked at, and at most from that
+  double* path;       ///< m: by block, that its particles went at most since the pairs were made
+  int32_t* pair_start;
+  int32_t* pair_count;  ///< by group, a multiple of 8: filled up with groups that never touch
+  int32_t* other;       ///< by pair: group
+  T* left;              ///< m: by pair; below zero: two may touch
+  uint64_t* apart;      ///< by pair: bit 8 j + i: particle i, and j of the other, never meet
+
+  template <class Arrays>
+  constexpr void arrays(Arrays& array, const Counts& n) {
+    const int64_t blocks = n.contact_grids > 0 && !n.staggered ? n.particles / block_size : 0;
+    const int64_t groups = blocks * groups_a_block, pairs = groups * most_pairs_a_group;
+    array.number(capacity, pairs);
+    array(box, 6 * groups);
+    array(block_box, 6 * blocks);
+    array(super_box, 6 * ((blocks + 31) / 32));
+    array(motion[0], groups);
+    array(motion[1], groups);
+    array(motion[2], groups);
+    array(motion[3], groups);
+    array(path, blocks);
+    array(pair_start, groups);
+    array(pair_count, groups);
+    array(other, pairs);
+    array(left, pairs);
+    array(apart, pairs);
+  }
+
+  static constexpr int most_pairs_a_group = 32;  ///< on average
 };
 
 /// How a list is made: of the pairs that are near now, or that may be within `horizon` substeps.
@@ -72,8 +132,12 @@ struct Contacts {
   double most_drift;      ///< m: that particles drift apart at most while a list lasts
   T friction;             ///< coefficient of Coulomb friction
   int32_t with_excluded;  ///< 1: pairs whose rest distance is too short are listed too
-  int32_t every_block;    ///< 1: colliders wait for contact in every block, not the listed alone
+  int32_t by_groups;      ///< 1: a host looks at groups of particles where it can
+  Waits waits;            ///< what colliders do
   T age;                  ///< substeps since the list was made, the one at hand included
+  T still;                ///< substeps since groups were looked at, so too; 0: nobody asks
+  T budget;               ///< m: that a particle may go meanwhile from the average
+  uint64_t substep;       ///< number of the one at hand
   const ContactCloth* cloth;
   const uint32_t* rank;       ///< by particle: in the caller's order, over all cloths
   const double* rest;         ///< rest positions: x, y, z by turns
@@ -108,8 +172,10 @@ struct Contacts {
   int32_t* touching;           ///< by particle: partners
   Vec3Array<T> push, brake;    ///< what is added to the position, to the displacement
   Vec3Array<T> shift_of_form;  ///< position form: of push, what must not become displacement
-  Vec3Array<T> first;          ///< positions before any push of the substep
+  Vec3Array<T> first;          ///< positions before any push of the substep, or when the groups
+                               ///< were looked at
   int32_t* busy;               ///< by block: 1 where anything touches there
+  ContactGroups<T> groups;
 
   template <class Arrays>
   constexpr void arrays(Arrays& array, const Counts& n) {
@@ -152,8 +218,10 @@ struct Contacts {
     array(shift_of_form, n.position_form ? particles : 0);
     array(first, particles);
     array(busy, blocks);
+    array.group(groups, n);
     array.later(search, grids, window, cell, shift, diagonal, skin, most_distance, most_stop,
-                most_drift, friction, with_excluded, every_block, age, entry, capacity);
+                most_drift, friction, with_excluded, by_groups, waits, age, still, budget, substep, entry,
+                capacity);
   }
 };
 

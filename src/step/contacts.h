@@ -17,6 +17,7 @@
 #pragma once
 
 #include "kernels/collide_pass.h"
+#include "kernels/near_groups.h"
 #include "kernels/staggered_pairs.h"
 #include "kernels/touch.h"
 
@@ -109,12 +110,9 @@ void advance_before_contact(const Team&, const Simulation<T>&, const ParticleBuf
 /// changed, so that no overlap becomes speed.
 template <class T, class Team>
 void respond_to_contact(const Team& team, const Simulation<T>& sim, const ParticleBuffers<T>& p,
-                        const StepParams<T>& step, bool keeps = true) {
-  if (step.position_form) {
-    push_apart<true>(team, sim, p, step);
-  } else {
-    push_apart<false>(team, sim, p, step);
-  }
+                        const StepParams<T>& step, bool keeps = true, bool any = true) {
+  if (any && step.position_form) push_apart<true>(team, sim, p, step);
+  if (any && !step.position_form) push_apart<false>(team, sim, p, step);
   if (sim.reach != nullptr) {
     Simulation<T> later = sim;
     later.places_pins = false;  // they are where they belong
@@ -129,7 +127,9 @@ void respond_to_contact(const Team& team, const Simulation<T>& sim, const Partic
       }
     }
   }
-  if (step.position_form && keeps) team.for_each_block(sim.blocks, KeepDisplacement<T>{sim, p});
+  if (any && step.position_form && keeps) {
+    team.for_each_block(sim.blocks, KeepDisplacement<T>{sim, p});
+  }
   team.meet();
   team.lap(Lap::advance);
 }
@@ -139,6 +139,8 @@ struct ListAge {
   int substeps = -1;  ///< -1: there is none
   int since = -1;     ///< since Contacts::from was written; -1: never
   int made_for = 0;   ///< where the host cannot see: substeps
+  int groups = -1;    ///< since groups were looked at; -1: they are not known
+  uint64_t substep = 0;  ///< number of the last one
 };
 
 /// Whether the list has room for all that it was made to hold.
@@ -161,7 +163,7 @@ bool substep_with_list(const Team& team, Simulation<T>& sim, const ParticleBuffe
     }
     ++age.substeps;
     c.age = T(age.substeps);
-    c.every_block = Team::fuses ? 0 : 1;
+    c.waits = Team::fuses ? Waits::listed : Waits::every;
     advance_before_contact(team, sim, p, step);
     const bool outrun = c.state->outrun != 0;
     if (!outrun) break;
@@ -187,11 +189,107 @@ bool substep_with_list(const Team& team, Simulation<T>& sim, const ParticleBuffe
   return true;
 }
 
+/// From the average, at most so far may particles go before pairs of groups are asked for again.
+inline double budget_of(const ContactState& state) {
+  const double left = unordered(state.least_left);
+  const double beyond = state.margin - 2.0 * unordered(state.most_path);
+  return 0.4999 * (left < beyond ? left : beyond);
+}
+
+// In distances: how far pairs of groups are kept; and in substeps of the fastest.
+constexpr double least_margin = 2, most_margin = 6, margin_paces = 32;
+
+enum class Outcome { done, full, crowded };
+
+/// Pairs of groups, of the positions x. False: too many.
+template <class T, class Team>
+bool pair_groups(const Team& team, const Simulation<T>& sim, Vec3Array<T> x, bool known) {
+  const Contacts<T>& c = sim.contacts;
+  // So far that they last for some substeps, but not so far that there are many.
+  const double reach = known ? margin_paces * unordered(c.state->most_pace) : 0.0;
+  const double margin = larger(least_margin * c.most_distance,
+                               smaller(reach, most_margin * c.most_distance));
+  team.for_each_block(sim.blocks, BoxGroups<T>{sim, x});
+  team.meet();
+  team.for_each_block((sim.blocks + 31) / 32, BoxBlocks<T>{c, sim.blocks, margin});
+  team.meet();
+  team.for_each_block(sim.blocks, PairGroups<T>{sim});
+  team.meet();
+  return c.state->crowded == 0;
+}
+
+/// A substep whose contacts are looked for among groups, where any may be.
+template <class T, class Team>
+Outcome substep_with_groups(const Team& team, Simulation<T>& sim, const ParticleBuffers<T>& p,
+                            const StepParams<T>& step, ListAge& age) {
+  Contacts<T>& c = sim.contacts;
+  c.age = T(0);
+  c.substep = age.substep;
+  if (age.groups >= 0) {
+    const int since = age.groups + 1;
+    const double budget = budget_of(*c.state);
+    if (1.1 * double(since) * unordered(c.state->most_pace) < budget) {
+      c.waits = Waits::none;
+      c.still = T(since);
+      c.budget = T(budget);
+      advance_before_contact(team, sim, p, step);
+      c.still = T(0);
+      if (c.state->moved[age.substep % 2] != age.substep) {
+        age.groups = since;
+        return Outcome::done;
+      }
+      c.substep = ++age.substep;
+    }
+  }
+  c.waits = Waits::every;
+  c.still = T(0);
+  advance_before_contact(team, sim, p, step);
+  const bool known = age.groups >= 0;
+  if (team.leads()) {
+    c.state->used = 0;
+    c.state->most_pace = ordered(0.0);
+    c.state->least_left = ordered(endless);
+  }
+  team.meet();
+  const int since = age.groups + 1;
+  bool wanted = !known;
+  if (known) {
+    team.for_each_block(sim.blocks, MoveGroups<T>{sim, p.x_out, since});
+    team.meet();
+    wanted = !(2.0 * unordered(c.state->most_path) <= c.state->margin);
+    team.for_each_block(1, AverageMotion<T>{sim, since});
+    if (wanted) team.meet();
+  } else if (team.leads()) {
+    for (double& pace : c.state->pace) pace = 0.0;
+  }
+  age.groups = -1;
+  if (wanted && !pair_groups(team, sim, p.x_out, known)) return Outcome::crowded;
+  team.for_each_block(sim.blocks, WriteRows<T, GroupFinder<T>>{sim, GroupFinder<T>{p.x_out}});
+  team.meet();
+  if (!fits(c)) return Outcome::full;
+  age.groups = 0;
+  respond_to_contact(team, sim, p, step, true, c.state->used > 0);
+  return Outcome::done;
+}
+
 /// A substep of every cloth with contact. False: nothing has happened, the list needs more room.
 template <class T, class Team>
 bool substep_with_contact(const Team& team, Simulation<T>& sim, const ParticleBuffers<T>& p,
                           const StepParams<T>& step, ListAge& age) {
   Contacts<T>& c = sim.contacts;
+  ++age.substep;
+  if (c.by_groups != 0 && c.search == Search::complete && age.substep >= c.state->crowded_until) {
+    age.substeps = age.since = -1;
+    const Outcome outcome = substep_with_groups(team, sim, p, step, age);
+    if (outcome != Outcome::crowded) return outcome == Outcome::done;
+    team.meet();
+    if (team.leads()) {
+      const int backoff = c.state->crowd_backoff;
+      c.state->crowded_until = age.substep + 64u * static_cast<uint64_t>(backoff);
+      c.state->crowd_backoff = backoff < 32 ? 2 * backoff : 64;
+    }
+    team.meet();
+  }
   if (c.search == Search::complete && c.skin > 0.0 && c.state->wait == 0) {
     if (substep_with_list(team, sim, p, step, age)) return true;
     const bool full = !fits(c);
@@ -205,7 +303,7 @@ bool substep_with_contact(const Team& team, Simulation<T>& sim, const ParticleBu
     }
   }
   c.age = T(0);
-  c.every_block = 1;
+  c.waits = Waits::every;
   advance_before_contact(team, sim, p, step);
   list_pairs(team, sim, p, p.x_out, step.position_form, false);
   if (!fits(c)) return false;
@@ -229,12 +327,12 @@ void substep_unseen(const Team& team, Simulation<T>& sim, const ParticleBuffers<
       age = {0, 0, every};
     }
     c.age = T(++age.substeps);
-    c.every_block = Team::fuses ? 0 : 1;
+    c.waits = Team::fuses ? Waits::listed : Waits::every;
     advance_before_contact(team, sim, p, step);
   } else {
     age.substeps = -1;
     c.age = T(0);
-    c.every_block = 1;
+    c.waits = Waits::every;
     advance_before_contact(team, sim, p, step);
     list_pairs(team, sim, p, p.x_out, step.position_form, false);
   }

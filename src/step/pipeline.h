@@ -181,7 +181,8 @@ void run_frame_with_contact(Exec& exec, Frame<T>& frame) {
   exec.frame([&frame, begin](const auto& team) {
     using Team = std::decay_t<decltype(team)>;
     Simulation<T> sim = frame.sim;
-    ListAge age{frame.list_age, frame.list_since, frame.list_for};
+    ListAge age{frame.list_age, frame.list_since, frame.list_for, frame.groups_age,
+                frame.contact_substep};
     team.start_clock();
     team.meet();  // all have read what the first of them to be done will write
     if constexpr (!Team::sees) {
@@ -213,6 +214,8 @@ void run_frame_with_contact(Exec& exec, Frame<T>& frame) {
       frame.list_age = age.substeps;
       frame.list_since = age.since;
       frame.list_for = age.made_for;
+      frame.groups_age = age.groups;
+      frame.contact_substep = age.substep;
     }
   });
   for (int s = 0; s < (frame.begin - begin) % 6; ++s) {
@@ -282,7 +285,8 @@ void run_probe(Exec& exec, const Frame<T>& frame, Vec3Array<T> x, Vec3Array<T> d
     Simulation<T> sim = frame.sim;
     if (sim.contacts.state == nullptr) return advance(team, sim, p, step_params(frame, 0));
     sim.contacts.age = T(0);
-    sim.contacts.every_block = 1;
+    sim.contacts.still = T(0);
+    sim.contacts.waits = Waits::every;
     advance_before_contact(team, sim, p, step_params(frame, 0));
     list_pairs(team, sim, p, p.x_out, frame.position_form, false);
     respond_to_contact(team, sim, p, step_params(frame, 0), false);

@@ -82,12 +82,14 @@ Status ContactTables<T>::prepare(const ArenaInput& in, Simulation<T>& sim) {
     c.most_distance = std::max(c.most_distance, distance_of(*cloth, desc));
     least = std::min(least, distance_of(*cloth, desc));
   }
+  c.by_groups = desc.skin < 0 ? 1 : 0;
   c.skin = desc.skin < 0 ? usual_skin * least : desc.skin / 2;
   c.most_stop = most_stop * c.most_distance;
   c.most_drift = most_drift * c.most_distance;
   ContactState state{};
   state.limit = 16;
-  state.backoff = 1;
+  state.backoff = state.crowd_backoff = 1;
+  substep_ = 0;
   Status status = backend_.to_device(c.state, &state, sizeof state);
   if (status != Status::ok) return status;
   if (!memory_.data()) {
@@ -143,7 +145,7 @@ Status ContactTables<T>::grow(Simulation<T>& sim, const ContactState& state) {
   const Status status = larger.allocate(static_cast<size_t>(entries) * sizeof(int32_t));
   if (status != Status::ok) return status;
   memory_.swap(larger);
-  age_ = -1;
+  forget_list();
   sim.contacts.entry = reinterpret_cast<int32_t*>(memory_.data());
   sim.contacts.capacity = static_cast<int64_t>(entries);
   return status;

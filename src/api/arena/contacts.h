@@ -29,21 +29,25 @@ class ContactTables {
   /// None, after all.
   Status forget_touched(const Simulation<T>&);
   /// The list is of no more use: where particles are has changed without a step.
-  void forget_list() { age_ = -1; }
+  void forget_list() { age_ = groups_age_ = -1; }
   /// Nor is what it expects of particles.
-  void forget_motion() { age_ = since_ = -1; }
+  void forget_motion() { age_ = since_ = groups_age_ = -1; }
   void give_age(Frame<T>& frame) {
     const double longer = frame.dt - frame.dt_before;  // s: then they go on in another way
     if (frame.begin == 0 && longer * longer > 1e-4 * frame.dt * frame.dt) forget_motion();
     frame.list_age = age_;
     frame.list_since = since_;
     frame.list_for = made_for_;
+    frame.groups_age = groups_age_;
+    frame.contact_substep = substep_;
     frame.list_every = lists_last(frame) ? every_ : 0;
   }
   void take_age(const Frame<T>& frame) {
     age_ = frame.list_age;
     since_ = frame.list_since;
     made_for_ = frame.list_for;
+    groups_age_ = frame.groups_age;
+    substep_ = frame.contact_substep;
   }
 
   Status near_pairs(const ArenaInput&, const Simulation<T>&, const Vector<Vec3<T>>& positions,
@@ -69,7 +73,8 @@ class ContactTables {
   DeviceMemory memory_;  ///< of the list
   Vector<ContactCloth> cloths_;
   Vector<unsigned long long> woken_;
-  int age_ = -1, since_ = -1;
+  int age_ = -1, since_ = -1, groups_age_ = -1;
+  uint64_t substep_ = 0;
   // Where the host cannot see within a frame (Team::sees).
   int made_for_ = 0;
   int every_ = 4;                ///< substeps that lists are made for

@@ -6,7 +6,7 @@
 // particle of one and one of the other come nearer by no more than their motions differ.
 //
 // Pairs that are further apart than a margin are not kept. They are made anew, from boxes around
-// groups, around blocks and around 32 blocks, when a particle may have used up its half of the
+// groups, around blocks and around 32 blocks, when a particle may have left its
 // margin. And while all have gone nearly the same way, nobody even asks for pairs.
 #pragma once
 
@@ -62,12 +62,9 @@ struct MoveGroups {
     static_assert(N == block_size, "a host's kernel");
     const Contacts<T>& c = sim.contacts;
     const int i0 = block * block_size, end = sim.cloths[sim.block.cloth[block]].end;
-    const Vec3<T> usual = T(since) * Vec3<T>{T(c.state->pace[0]), T(c.state->pace[1]),
-                                             T(c.state->pace[2])};
     const Vec3Array<T> now = x, first = c.first;
     LaneVec3<T, N> way;
     BoundsOfGroups<T> of{};
-    T further[N];
     lanes.each([&](int l) WEFT_LANE {
       const Vec3<T> at = load(now, i0 + l), none{T(0), T(0), T(0)};
       const Vec3<T> gone = select(i0 + l < end, at - load(first, i0 + l), none);
@@ -76,8 +73,6 @@ struct MoveGroups {
       of.low[0][l] = of.high[0][l] = gone.x;
       of.low[1][l] = of.high[1][l] = gone.y;
       of.low[2][l] = of.high[2][l] = gone.z;
-      const Vec3<T> off = gone - usual;
-      further[l] = i0 + l < end ? dot(off, off) : T(0);
     });
     of.reduce();
     T middle[3][N], radius[block_size + contact_group] = {};
@@ -92,24 +87,46 @@ struct MoveGroups {
       radius[l] = dot(off, off);
     });
     largest_of_groups(radius);
+    double beyond = endless, pace = 0.0, drift = 0.0;
     for (int g = 0; g < groups_a_block; ++g) {
       const int at = block * groups_a_block + g, l = g * contact_group;
-      for (int axis = 0; axis < 3; ++axis) c.groups.motion[axis][at] = middle[axis][l];
+      const double spread = static_cast<double>(square_root(radius[l]));
+      double off[3], from_all[3];
+      for (int axis = 0; axis < 3; ++axis) {
+        const T gone = middle[axis][l];
+        c.groups.motion[axis][at] = gone;
+        off[axis] = static_cast<double>(gone) - since * c.groups.speed[axis][at];
+        from_all[axis] = static_cast<double>(gone) - since * c.state->pace[axis];
+      }
       c.groups.motion[3][at] = square_root(radius[l]);
+      const double unexpected = length(off), odd = length(from_all);
+      const double went = (unexpected + spread) * (1.0 + 1e-5);
+      c.groups.path[at] += went;
+      c.groups.usual[at] = went / since;
+      beyond = smaller(c.groups.margin[at] - c.groups.path[at], beyond);
+      pace = larger(odd + spread, pace);
+      drift = larger(unexpected + odd, drift);
+      if (!(c.groups.path[at] >= 0.0)) beyond = -endless;  // not a number
     }
-    const double most = static_cast<double>(square_root(largest_of_lanes(further, lanes)));
-    const double path = c.groups.path[block] + most * (1.0 + 1e-5);
-    c.groups.path[block] = path;
-    atomic_most(&c.state->most_path, ordered(path));
-    atomic_most(&c.state->most_pace, ordered(most / since));
+    atomic_least(&c.state->least_beyond, ordered(beyond));
+    atomic_most(&c.state->most_pace, ordered(pace / since));
+    atomic_most(&c.state->most_drift, ordered(drift / since));
+  }
+
+ private:
+  WEFT_HD static double length(const double* v) {
+    return square_root((v[0] * v[0] + v[1] * v[1]) + v[2] * v[2]);
   }
 };
 
-/// Boxes around groups and blocks, where they are now.
+/// Boxes around groups where they are now, and around where blocks come by while pairs last.
 template <class T>
 struct BoxGroups {
   Simulation<T> sim;
-  Vec3Array<T> x;
+  ParticleBuffers<T> p;
+  int since;    ///< substeps of what is known of motions; 0: nothing is
+  int horizon;  ///< substeps
+  double part;  ///< of the usual margins
 
   template <int N>
   WEFT_HD void operator()(int block, int, Lanes<N> lanes) const {
@@ -118,7 +135,7 @@ struct BoxGroups {
     const ContactGroups<T>& groups = c.groups;
     const int i0 = block * block_size, of_cloth = sim.block.cloth[block];
     const int end = sim.cloths[of_cloth].end;
-    const Vec3Array<T> now = x, first = c.first;
+    const Vec3Array<T> now = p.x_out, first = c.first;
     BoundsOfGroups<T> of{};
     const T far = T(3e38);
     lanes.each([&](int l) WEFT_LANE {
@@ -136,22 +153,58 @@ struct BoxGroups {
       of.high[2][l] = high.z;
     });
     of.reduce();
-    double all[6];
+    double all[6], beyond = endless, drift2 = 0.0;
     for (int g = 0; g < groups_a_block; ++g) {
       const int at = block * groups_a_block + g;
+      const double margin = margin_of(at);
+      double speed[3];
+      expect(at, i0 + g * contact_group, speed);
+      double from_pace2 = 0.0;
       for (int axis = 0; axis < 3; ++axis) {
         const double origin = c.cloth[of_cloth].origin[axis];
-        const double low = in_world(of.low[axis][g * contact_group], origin);
-        const double high = in_world(of.high[axis][g * contact_group], origin);
-        groups.box[6 * at + axis] = low;
-        groups.box[6 * at + 3 + axis] = high;
+        const double at_low = in_world(of.low[axis][g * contact_group], origin);
+        const double at_high = in_world(of.high[axis][g * contact_group], origin);
+        groups.low[axis][at] = at_low;
+        groups.high[axis][at] = at_high;
+        groups.speed[axis][at] = speed[axis];
+        const double off = speed[axis] - c.state->pace[axis];
+        const double low = at_low - margin + smaller(horizon * off, 0.0);
+        const double high = at_high + margin + larger(horizon * off, 0.0);
         all[axis] = g == 0 ? low : smaller(all[axis], low);
         all[3 + axis] = g == 0 ? high : larger(all[3 + axis], high);
+        from_pace2 += off * off;
       }
+      drift2 = larger(drift2, from_pace2);
       for (int k = 0; k < 4; ++k) groups.motion[k][at] = T(0);
+      groups.path[at] = 0.0;
+      groups.margin[at] = margin;
+      beyond = smaller(beyond, margin);
     }
     for (int k = 0; k < 6; ++k) groups.block_box[6 * block + k] = all[k];
-    groups.path[block] = 0.0;
+    atomic_least(&c.state->least_beyond, ordered(beyond));
+    atomic_most(&c.state->most_drift, ordered(square_root(drift2)));
+  }
+
+ private:
+  /// In distances; and the substeps that it is meant for.
+  static constexpr double least_margin = 0.4, most_margin = 6, margin_paces = 20;
+
+  /// Who does not go as expected needs more of a margin.
+  WEFT_HD double margin_of(int group) const {
+    const Contacts<T>& c = sim.contacts;
+    const double wanted = since > 0 ? margin_paces * c.groups.usual[group] : 0.0;
+    return part * larger(least_margin * c.most_distance,
+                         smaller(wanted, most_margin * c.most_distance));
+  }
+  WEFT_HD void expect(int group, int i, double (&speed)[3]) const {
+    const T* const* motion = sim.contacts.groups.motion;
+    const Vec3<T> d = load(p.x_out, i) - load(p.x_in, i);
+    const double now[3] = {static_cast<double>(d.x), static_cast<double>(d.y),
+                           static_cast<double>(d.z)};
+    for (int axis = 0; axis < 3; ++axis) {
+      const double one = since > 0 ? static_cast<double>(motion[axis][group]) / since : now[axis];
+      speed[axis] = one - one == 0.0 ? one : 0.0;
+    }
   }
 };
 
@@ -160,7 +213,7 @@ template <class T>
 struct BoxBlocks {
   Contacts<T> contacts;
   int blocks;
-  double margin;  ///< ContactState::margin
+  int horizon;
 
   template <int N>
   WEFT_HD void operator()(int of, int, Lanes<N>) const {
@@ -175,10 +228,10 @@ struct BoxBlocks {
     for (int k = 0; k < 6; ++k) contacts.groups.super_box[6 * of + k] = all[k];
     if (of != 0) return;
     ContactState& state = *contacts.state;
-    state.margin = margin;
+    state.pair_horizon = horizon;
+    state.paired = contacts.substep;
     state.pairs = 0;
     state.crowded = 0;
-    state.most_path = ordered(0.0);
     state.lists += 1;
   }
 };
@@ -190,10 +243,11 @@ WEFT_HD bool cloths_meet(const ContactCloth* cloth, int a, int b) {
   return ((one.others & other.others) != 0) & ((one.layers & other.layers) != 0);
 }
 
-/// The pairs of groups that are not further apart than the margin.
+/// The pairs of groups that come near each other, or leave what is expected of them.
 template <class T>
 struct PairGroups {
   Simulation<T> sim;
+  int horizon;
 
   template <int N>
   WEFT_HD void operator()(int block, int, Lanes<N>) const {
@@ -205,15 +259,15 @@ struct PairGroups {
     if (atomic_take(&state.crowded, 0) != 0) return;
     int32_t near[most_blocks];
     const int found = near_blocks(block, near);
-    if (found > most_blocks) {
-      atomic_most(&state.crowded, 1ull);
-      return;
+    bool fits = found <= most_blocks;
+    for (int g = 0; g < groups_a_block && fits; ++g) {
+      fits = pair(block * groups_a_block + g, near, found);
     }
-    for (int g = 0; g < groups_a_block; ++g) pair(block * groups_a_block + g, near, found);
+    if (!fits) atomic_most(&state.crowded, 1ull);
   }
 
  private:
-  static constexpr int most_blocks = 320, most_others = 160;
+  static constexpr int most_blocks = 320, most_others = 192;
   static constexpr double unit = sizeof(T) == 4 ? 1e-6 : 1e-15;  ///< of rounding
 
   WEFT_HD static bool far(const double* a, const double* b, double reach) {
@@ -226,7 +280,7 @@ struct PairGroups {
     const ContactGroups<T>& groups = c.groups;
     const int of_cloth = sim.block.cloth[block];
     const double* own = groups.block_box + 6 * block;
-    const double reach = 0.5 * (c.cloth[of_cloth].distance + c.most_distance) + c.state->margin;
+    const double reach = 0.5 * (c.cloth[of_cloth].distance + c.most_distance);
     int found = 0;
     const int supers = (sim.blocks + 31) / 32;
     for (int s = 0; s < supers; ++s) {
@@ -242,43 +296,50 @@ struct PairGroups {
     return found;
   }
 
-  WEFT_HD void pair(int group, const int32_t* near, int blocks) const {
+  /// False: there is no room.
+  WEFT_HD bool pair(int group, const int32_t* near, int blocks) const {
     const Contacts<T>& c = sim.contacts;
     const ContactGroups<T>& groups = c.groups;
-    ContactState& state = *c.state;
     const ContactCloth& cloth = c.cloth[sim.block.cloth[group / groups_a_block]];
-    const double* own = groups.box + 6 * group;
-    int32_t others[most_others];
-    T left[most_others];
+    const double margin = groups.margin[group];
+    Moving own;
+    double swept[6], size = 0.0;
+    for (int axis = 0; axis < 3; ++axis) {
+      own.low[axis] = groups.low[axis][group];
+      own.high[axis] = groups.high[axis][group];
+      own.speed[axis] = groups.speed[axis][group];
+      const double way = horizon * (own.speed[axis] - c.state->pace[axis]);
+      swept[axis] = own.low[axis] - margin + smaller(way, 0.0);
+      swept[3 + axis] = own.high[axis] + margin + larger(way, 0.0);
+      size += larger(own.high[axis], -own.low[axis]);
+    }
+    int32_t others[most_others + groups_a_block];
+    T left[most_others + groups_a_block];
     int found = 0;
     for (int k = 0; k < blocks; ++k) {
       const ContactCloth& theirs = c.cloth[sim.block.cloth[near[k]]];
       const double distance = 0.5 * (cloth.distance + theirs.distance);
-      const double reach = distance + state.margin;
-      double rounding = 1e-5 * distance;
+      double still = distance * (1.0 + 1e-5) + 1e-15 * larger(size, 0.0);
       for (int axis = 0; axis < 3; ++axis) {
         const double between = cloth.origin[axis] - theirs.origin[axis];
-        rounding += unit * larger(between, -between) + 1e-15 * larger(own[3 + axis], -own[axis]);
+        still += unit * larger(between, -between);
       }
+      if (far(swept, groups.block_box + 6 * near[k], still)) continue;
+      const int first = near[k] * groups_a_block;
+      double room2[groups_a_block];
+      meet(own, groups, first, margin, still, room2);
       for (int h = 0; h < groups_a_block; ++h) {
-        const int other = near[k] * groups_a_block + h;
-        const double* box = groups.box + 6 * other;
-        if (far(own, box, reach)) continue;
-        if (found == most_others) {
-          atomic_most(&state.crowded, 1ull);
-          return;
-        }
-        others[found] = other;
-        left[found++] = room_between(own, box, distance + rounding);
+        if (room2[h] >= endless) continue;
+        const double room = square_root(room2[h]) - still;
+        others[found] = first + h;
+        left[found++] = room > 0.0 ? T(room * (1.0 - 1e-5)) : T(-endless);
       }
+      if (found > most_others) return false;
     }
     const int padded = (found + 7) / 8 * 8;
     const auto start = static_cast<int64_t>(
-        atomic_take(&state.pairs, static_cast<unsigned long long>(padded)));
-    if (start + padded > groups.capacity) {
-      atomic_most(&state.crowded, 1ull);
-      return;
-    }
+        atomic_take(&c.state->pairs, static_cast<unsigned long long>(padded)));
+    if (start + padded > groups.capacity) return false;
     groups.pair_start[group] = static_cast<int32_t>(start);
     groups.pair_count[group] = padded;
     for (int k = 0; k < padded; ++k) {
@@ -286,17 +347,43 @@ struct PairGroups {
       groups.left[start + k] = k < found ? left[k] : T(endless);
       groups.apart[start + k] = nobody_asked;
     }
+    return true;
   }
 
-  /// What is left of a pair of groups by their boxes; below zero, where these are too near to say.
-  WEFT_HD static T room_between(const double* a, const double* b, double distance) {
-    double room2 = 0.0;
-    for (int axis = 0; axis < 3; ++axis) {
-      const double gap = larger(larger(b[axis] - a[3 + axis], a[axis] - b[3 + axis]), 0.0);
-      room2 += gap * gap;
-    }
-    const double left = square_root(room2) - distance;
-    return left > 0.0 ? T(left * (1.0 - 1e-5)) : T(-endless);
+  /// A group's box, and how it goes on.
+  struct Moving {
+    double low[3], high[3], speed[3];
+  };
+
+  /// Of the groups of a block: the square of how far their boxes are apart now; `endless` where
+  /// they do not come near while all go on as expected.
+  WEFT_HD void meet(const Moving& own, const ContactGroups<T>& groups, int first, double margin,
+                    double distance, double (&room2)[groups_a_block]) const {
+    const Moving a = own;
+    const double *low0 = groups.low[0] + first, *high0 = groups.high[0] + first;
+    const double *low1 = groups.low[1] + first, *high1 = groups.high[1] + first;
+    const double *low2 = groups.low[2] + first, *high2 = groups.high[2] + first;
+    const double *speed0 = groups.speed[0] + first, *speed1 = groups.speed[1] + first;
+    const double *speed2 = groups.speed[2] + first, *margins = groups.margin + first;
+    const double span = horizon;
+    Lanes<groups_a_block>{}.each([&](int h) WEFT_LANE {
+      const double reach = distance + (margin + margins[h]);
+      const double above0 = low0[h] - a.high[0], below0 = a.low[0] - high0[h];
+      const double above1 = low1[h] - a.high[1], below1 = a.low[1] - high1[h];
+      const double above2 = low2[h] - a.high[2], below2 = a.low[2] - high2[h];
+      const double way0 = span * (speed0[h] - a.speed[0]);
+      const double way1 = span * (speed1[h] - a.speed[1]);
+      const double way2 = span * (speed2[h] - a.speed[2]);
+      // The largest of these is how far apart they stay.
+      const double x = larger(above0 + smaller(way0, 0.0), below0 - larger(way0, 0.0));
+      const double y = larger(above1 + smaller(way1, 0.0), below1 - larger(way1, 0.0));
+      const double z = larger(above2 + smaller(way2, 0.0), below2 - larger(way2, 0.0));
+      const double gap0 = larger(larger(above0, below0), 0.0);
+      const double gap1 = larger(larger(above1, below1), 0.0);
+      const double gap2 = larger(larger(above2, below2), 0.0);
+      const double gap = (gap0 * gap0 + gap1 * gap1) + gap2 * gap2;
+      room2[h] = larger(larger(x, y), z) > reach ? endless : gap;
+    });
   }
 };
 
@@ -308,15 +395,20 @@ struct AverageMotion {
 
   template <int N>
   WEFT_HD void operator()(int, int, Lanes<N>) const {
+    ContactState& state = *sim.contacts.state;
     const int groups = sim.blocks * groups_a_block;
+    double change = 0.0;
     for (int axis = 0; axis < 3; ++axis) {
       const T* motion = sim.contacts.groups.motion[axis];
       double sum = 0.0;
       int count = 0;
       for (int g = 0; g < groups; g += 5, ++count) sum += static_cast<double>(motion[g]);
       const double mean = sum / (double(count) * since);
-      sim.contacts.state->pace[axis] = mean - mean == 0.0 ? mean : 0.0;
+      const double now = mean - mean == 0.0 ? mean : 0.0;
+      change += larger(now - state.pace[axis], state.pace[axis] - now);
+      state.pace[axis] = now;
     }
+    state.pace_change = change;
   }
 };
 

@@ -55,11 +55,15 @@ struct ContactState {
   unsigned long long lists;   ///< made so far
 
   // Groups of particles (ContactGroups).
-  double margin;  ///< m: groups further apart than their distance and this are in no pair
   double pace[3];  ///< m: what particles went in a substep on average
   unsigned long long least_left;  ///< m: of all pairs of groups, as an ordered double
-  unsigned long long most_path;   ///< m: of all blocks, so too
+  unsigned long long least_beyond;  ///< m: of all blocks: margin - path, so too
   unsigned long long most_pace;   ///< m: from the average in a substep, so too
+  unsigned long long most_drift;  ///< m: of all groups' expected motion from the average, so too
+  double pace_change;             ///< m: of the average, since
+  double part;                    ///< of the usual margins
+  int32_t pair_horizon;           ///< substeps that pairs of groups are made for
+  uint64_t paired;                ///< substep that they were made in
   unsigned long long pairs;       ///< of groups that were wanted
   unsigned long long moved[2];    ///< the last substep in which a particle went too far, by turns
   unsigned long long crowded;     ///< 1: too many pairs of groups
@@ -81,11 +85,14 @@ constexpr int groups_a_super = 32 * groups_a_block;  ///< of 32 blocks
 template <class T>
 struct ContactGroups {
   int64_t capacity;   ///< pairs
-  double* box;        ///< m: low and high x, y, z by turns, in the world, of each group
-  double* block_box;  ///< of each block
-  double* super_box;  ///< of 32 blocks
+  double *low[3], *high[3];  ///< m: by group, where it is in the world
+  double* speed[3];          ///< m a substep: by group, as it is expected to go on
+  double* block_box;  ///< m: low and high x, y, z by turns of where each block comes by
+  double* super_box;  ///< the same of 32 blocks
   T* motion[4];       ///< m: x, y, z that a group went since it was looked at, and at most from that
-  double* path;       ///< m: by block, that its particles went at most since the pairs were made
+  double* path;       ///< m: by group, that it went from what was expected since pairs were made
+  double* margin;     ///< m: by group, that it may go so
+  double* usual;      ///< m: by group, that it went so in a substep
   int32_t* pair_start;
   int32_t* pair_count;  ///< by group, a multiple of 8: filled up with groups that never touch
   int32_t* other;       ///< by pair: group
@@ -97,14 +104,24 @@ struct ContactGroups {
     const int64_t blocks = n.contact_grids > 0 && !n.staggered ? n.particles / block_size : 0;
     const int64_t groups = blocks * groups_a_block, pairs = groups * most_pairs_a_group;
     array.number(capacity, pairs);
-    array(box, 6 * groups);
+    array(low[0], groups);
+    array(low[1], groups);
+    array(low[2], groups);
+    array(high[0], groups);
+    array(high[1], groups);
+    array(high[2], groups);
+    array(speed[0], groups);
+    array(speed[1], groups);
+    array(speed[2], groups);
     array(block_box, 6 * blocks);
     array(super_box, 6 * ((blocks + 31) / 32));
     array(motion[0], groups);
     array(motion[1], groups);
     array(motion[2], groups);
     array(motion[3], groups);
-    array(path, blocks);
+    array(path, groups);
+    array(margin, groups);
+    array(usual, groups);
     array(pair_start, groups);
     array(pair_count, groups);
     array(other, pairs);
@@ -112,7 +129,7 @@ struct ContactGroups {
     array(apart, pairs);
   }
 
-  static constexpr int most_pairs_a_group = 32;  ///< on average
+  static constexpr int most_pairs_a_group = 48;  ///< on average
 };
 
 /// How a list is made: of the pairs that are near now, or that may be within `horizon` substeps.

@@ -15,6 +15,8 @@
 // the arena has chosen before, and a frame that has outrun one is made again with a list in every
 // substep.
 #pragma once
+#include <cstdlib>
+#include <cstdio>
 
 #include "kernels/collide_pass.h"
 #include "kernels/near_groups.h"
@@ -190,32 +192,46 @@ bool substep_with_list(const Team& team, Simulation<T>& sim, const ParticleBuffe
 }
 
 /// From the average, at most so far may particles go before pairs of groups are asked for again.
-inline double budget_of(const ContactState& state) {
-  const double left = unordered(state.least_left);
-  const double beyond = state.margin - 2.0 * unordered(state.most_path);
-  return 0.4999 * (left < beyond ? left : beyond);
+inline double budget_of(const ContactState& state, int since) {
+  const double drift = unordered(state.most_drift) + state.pace_change;
+  const double beyond = unordered(state.least_beyond) - since * drift;
+  return 0.9999 * smaller(0.5 * unordered(state.least_left), beyond);
 }
 
-// In distances: how far pairs of groups are kept; and in substeps of the fastest.
-constexpr double least_margin = 2, most_margin = 6, margin_paces = 32;
+/// How far, in distances, the fastest may go while pairs of groups last; and limits of how long.
+constexpr double pairs_last = 4, least_horizon = 24, most_horizon = 512;
 
 enum class Outcome { done, full, crowded };
 
-/// Pairs of groups, of the positions x. False: too many.
+/// Pairs of groups, of the positions p.x_out. False: there are too many even if they last for few
+/// substeps.
 template <class T, class Team>
-bool pair_groups(const Team& team, const Simulation<T>& sim, Vec3Array<T> x, bool known) {
+bool pair_groups(const Team& team, const Simulation<T>& sim, const ParticleBuffers<T>& p,
+                 int since) {
   const Contacts<T>& c = sim.contacts;
-  // So far that they last for some substeps, but not so far that there are many.
-  const double reach = known ? margin_paces * unordered(c.state->most_pace) : 0.0;
-  const double margin = larger(least_margin * c.most_distance,
-                               smaller(reach, most_margin * c.most_distance));
-  team.for_each_block(sim.blocks, BoxGroups<T>{sim, x});
-  team.meet();
-  team.for_each_block((sim.blocks + 31) / 32, BoxBlocks<T>{c, sim.blocks, margin});
-  team.meet();
-  team.for_each_block(sim.blocks, PairGroups<T>{sim});
-  team.meet();
-  return c.state->crowded == 0;
+  const double pace = unordered(c.state->most_pace);
+  const double far = pairs_last * c.most_distance;
+  double part = c.state->part;
+  for (; part > 0.1; part *= 0.5) {
+    const double lasts = pace * most_horizon > far ? far / pace : most_horizon;
+    const int horizon = static_cast<int>(part * (since > 0 ? larger(least_horizon, lasts) : least_horizon));
+    if (team.leads()) {
+      c.state->least_beyond = ordered(endless);
+      c.state->most_drift = ordered(0.0);
+    }
+    team.meet();
+    team.for_each_block(sim.blocks, BoxGroups<T>{sim, p, since, horizon, part});
+    team.meet();
+    team.for_each_block((sim.blocks + 31) / 32, BoxBlocks<T>{c, sim.blocks, horizon});
+    team.meet();
+    team.for_each_block(sim.blocks, PairGroups<T>{sim, horizon});
+    team.meet();
+    static const bool dbg=getenv("DBG")!=nullptr; if(dbg){ double mm=0; for(int b=0;b<sim.blocks*4;++b) mm+=c.groups.margin[b]; printf("relist %llu pairs/group %.2f crowded %llu mean margin %.2f part %g hor %d\n",(unsigned long long)c.substep,double(c.state->pairs)/sim.blocks/4,c.state->crowded,mm/sim.blocks/4/c.most_distance,part,horizon);}
+    if (c.state->crowded == 0) break;
+    since = 0;  // the motions are used up
+  }
+  if (team.leads()) c.state->part = part > 0.1 ? smaller(1.1 * part, 1.0) : 1.0;
+  return part > 0.1;
 }
 
 /// A substep whose contacts are looked for among groups, where any may be.
@@ -227,8 +243,9 @@ Outcome substep_with_groups(const Team& team, Simulation<T>& sim, const Particle
   c.substep = age.substep;
   if (age.groups >= 0) {
     const int since = age.groups + 1;
-    const double budget = budget_of(*c.state);
-    if (1.1 * double(since) * unordered(c.state->most_pace) < budget) {
+    const double budget = budget_of(*c.state, since);
+    const bool lasts = age.substep < c.state->paired + static_cast<uint64_t>(c.state->pair_horizon);
+    if (lasts && 1.1 * double(since) * unordered(c.state->most_pace) < budget) {
       c.waits = Waits::none;
       c.still = T(since);
       c.budget = T(budget);
@@ -248,7 +265,8 @@ Outcome substep_with_groups(const Team& team, Simulation<T>& sim, const Particle
   if (team.leads()) {
     c.state->used = 0;
     c.state->most_pace = ordered(0.0);
-    c.state->least_left = ordered(endless);
+    c.state->least_left = c.state->least_beyond = ordered(endless);
+    c.state->most_drift = ordered(0.0);
   }
   team.meet();
   const int since = age.groups + 1;
@@ -256,14 +274,16 @@ Outcome substep_with_groups(const Team& team, Simulation<T>& sim, const Particle
   if (known) {
     team.for_each_block(sim.blocks, MoveGroups<T>{sim, p.x_out, since});
     team.meet();
-    wanted = !(2.0 * unordered(c.state->most_path) <= c.state->margin);
+    wanted = !(unordered(c.state->least_beyond) >= 0.0) ||
+             age.substep >= c.state->paired + static_cast<uint64_t>(c.state->pair_horizon);
     team.for_each_block(1, AverageMotion<T>{sim, since});
     if (wanted) team.meet();
   } else if (team.leads()) {
     for (double& pace : c.state->pace) pace = 0.0;
+    c.state->pace_change = 0.0;
   }
   age.groups = -1;
-  if (wanted && !pair_groups(team, sim, p.x_out, known)) return Outcome::crowded;
+  if (wanted && !pair_groups(team, sim, p, known ? since : 0)) return Outcome::crowded;
   team.for_each_block(sim.blocks, WriteRows<T, GroupFinder<T>>{sim, GroupFinder<T>{p.x_out}});
   team.meet();
   if (!fits(c)) return Outcome::full;

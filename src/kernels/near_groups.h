@@ -175,7 +175,9 @@ struct BoxGroups {
         from_pace2 += off * off;
       }
       drift2 = larger(drift2, from_pace2);
-      for (int k = 0; k < 4; ++k) groups.motion[k][at] = T(0);
+      if (since == 0) {
+        for (int k = 0; k < 4; ++k) groups.motion[k][at] = T(0);
+      }
       groups.path[at] = 0.0;
       groups.margin[at] = margin;
       beyond = smaller(beyond, margin);
@@ -248,14 +250,13 @@ template <class T>
 struct PairGroups {
   Simulation<T> sim;
   int horizon;
+  bool knows;  ///< what is left of the pairs that there were
 
   template <int N>
   WEFT_HD void operator()(int block, int, Lanes<N>) const {
     static_assert(N == block_size, "a host's kernel");
     const Contacts<T>& c = sim.contacts;
-    const ContactGroups<T>& groups = c.groups;
     ContactState& state = *c.state;
-    for (int g = 0; g < groups_a_block; ++g) groups.pair_count[block * groups_a_block + g] = 0;
     if (atomic_take(&state.crowded, 0) != 0) return;
     int32_t near[most_blocks];
     const int found = near_blocks(block, near);
@@ -337,16 +338,28 @@ struct PairGroups {
       if (found > most_others) return false;
     }
     const int padded = (found + 7) / 8 * 8;
-    const auto start = static_cast<int64_t>(
+    const int64_t half = groups.capacity / 2;
+    const auto taken = static_cast<int64_t>(
         atomic_take(&c.state->pairs, static_cast<unsigned long long>(padded)));
-    if (start + padded > groups.capacity) return false;
-    groups.pair_start[group] = static_cast<int32_t>(start);
-    groups.pair_count[group] = padded;
+    if (taken + padded > half) return false;
+    const auto start = static_cast<int32_t>(taken + (c.state->lists % 2 != 0 ? half : 0));
+    int old = knows ? groups.pair_start[group] : 0;
+    const int end = knows ? old + groups.pair_count[group] : 0;
     for (int k = 0; k < padded; ++k) {
-      groups.other[start + k] = k < found ? others[k] : group;
-      groups.left[start + k] = k < found ? left[k] : T(endless);
-      groups.apart[start + k] = nobody_asked;
+      const int other = k < found ? others[k] : group;
+      T room = k < found ? left[k] : T(endless);
+      uint64_t apart = nobody_asked;
+      while (old < end && groups.other[old] < other) ++old;  // both go up, but for filling
+      if (old < end && k < found && groups.other[old] == other) {
+        room = groups.left[old];
+        apart = groups.apart[old];
+      }
+      groups.other[start + k] = other;
+      groups.left[start + k] = room;
+      groups.apart[start + k] = apart;
     }
+    groups.pair_start[group] = start;
+    groups.pair_count[group] = padded;
     return true;
   }
 

@@ -84,7 +84,7 @@ constexpr int groups_a_super = 32 * groups_a_block;  ///< of 32 blocks
 
 template <class T>
 struct ContactGroups {
-  int64_t capacity;   ///< pairs
+  int64_t capacity;   ///< pairs: in one half those that are, in the other those that were
   double *low[3], *high[3];  ///< m: by group, where it is in the world
   double* speed[3];          ///< m a substep: by group, as it is expected to go on
   double* block_box;  ///< m: low and high x, y, z by turns of where each block comes by
@@ -102,7 +102,7 @@ struct ContactGroups {
   template <class Arrays>
   constexpr void arrays(Arrays& array, const Counts& n) {
     const int64_t blocks = n.contact_grids > 0 && !n.staggered ? n.particles / block_size : 0;
-    const int64_t groups = blocks * groups_a_block, pairs = groups * most_pairs_a_group;
+    const int64_t groups = blocks * groups_a_block, pairs = 2 * groups * most_pairs_a_group;
     array.number(capacity, pairs);
     array(low[0], groups);
     array(low[1], groups);

@@ -224,7 +224,7 @@ bool pair_groups(const Team& team, const Simulation<T>& sim, const ParticleBuffe
     team.meet();
     team.for_each_block((sim.blocks + 31) / 32, BoxBlocks<T>{c, sim.blocks, horizon});
     team.meet();
-    team.for_each_block(sim.blocks, PairGroups<T>{sim, horizon});
+    team.for_each_block(sim.blocks, PairGroups<T>{sim, horizon, since > 0});
     team.meet();
     static const bool dbg=getenv("DBG")!=nullptr; if(dbg){ double mm=0; for(int b=0;b<sim.blocks*4;++b) mm+=c.groups.margin[b]; printf("relist %llu pairs/group %.2f crowded %llu mean margin %.2f part %g hor %d\n",(unsigned long long)c.substep,double(c.state->pairs)/sim.blocks/4,c.state->crowded,mm/sim.blocks/4/c.most_distance,part,horizon);}
     if (c.state->crowded == 0) break;

@@ -21,34 +21,25 @@ constexpr double endless = 1e15;
 /// ContactGroups::apart of a pair that was not looked into before.
 constexpr uint64_t nobody_asked = ~uint64_t(0);
 
-/// The smallest, or largest, of each group's values in the place of its first.
-template <class T>
-WEFT_HD void smallest_of_groups(T (&value)[block_size + contact_group]) {
-  for (int half = contact_group / 2; half > 0; half /= 2) {
-    WEFT_SIMD
-    for (int l = 0; l < block_size; ++l) value[l] = smaller(value[l], value[l + half]);
-  }
-}
-template <class T>
-WEFT_HD void largest_of_groups(T (&value)[block_size + contact_group]) {
-  for (int half = contact_group / 2; half > 0; half /= 2) {
-    WEFT_SIMD
-    for (int l = 0; l < block_size; ++l) value[l] = larger(value[l], value[l + half]);
-  }
-}
-
 /// Bounds of three components, by group.
 template <class T>
 struct BoundsOfGroups {
-  T low[3][block_size + contact_group], high[3][block_size + contact_group];
-
-  WEFT_HD void reduce() {
-    for (int axis = 0; axis < 3; ++axis) {
-      smallest_of_groups(low[axis]);
-      largest_of_groups(high[axis]);
-    }
-  }
+  T low[3][groups_a_block], high[3][groups_a_block];
 };
+template <class T>
+WEFT_HD void bound_groups(const T (&value)[block_size], T (&low)[groups_a_block],
+                          T (&high)[groups_a_block]) {
+  for (int g = 0; g < groups_a_block; ++g) {
+    const T* of = value + g * contact_group;
+    T least = of[0], most = of[0];
+    for (int k = 1; k < contact_group; ++k) {
+      least = smaller(least, of[k]);
+      most = larger(most, of[k]);
+    }
+    low[g] = least;
+    high[g] = most;
+  }
+}
 
 /// How far each group has gone since it was looked at. From now on it counts anew.
 template <class T>
@@ -64,41 +55,40 @@ struct MoveGroups {
     const int i0 = block * block_size, end = sim.cloths[sim.block.cloth[block]].end;
     const Vec3Array<T> now = x, first = c.first;
     LaneVec3<T, N> way;
-    BoundsOfGroups<T> of{};
     lanes.each([&](int l) WEFT_LANE {
       const Vec3<T> at = load(now, i0 + l), none{T(0), T(0), T(0)};
       const Vec3<T> gone = select(i0 + l < end, at - load(first, i0 + l), none);
       store(first, i0 + l, at);
       way.set(l, gone);
-      of.low[0][l] = of.high[0][l] = gone.x;
-      of.low[1][l] = of.high[1][l] = gone.y;
-      of.low[2][l] = of.high[2][l] = gone.z;
     });
-    of.reduce();
-    T middle[3][N], radius[block_size + contact_group] = {};
-    for (int l = 0; l < N; ++l) {
-      const int of_group = l / contact_group * contact_group;
+    BoundsOfGroups<T> of;
+    bound_groups(way.x, of.low[0], of.high[0]);
+    bound_groups(way.y, of.low[1], of.high[1]);
+    bound_groups(way.z, of.low[2], of.high[2]);
+    T middle[3][groups_a_block], around[N], nearest[groups_a_block], radius[groups_a_block];
+    for (int g = 0; g < groups_a_block; ++g) {
       for (int axis = 0; axis < 3; ++axis) {
-        middle[axis][l] = T(0.5) * (of.low[axis][of_group] + of.high[axis][of_group]);
+        middle[axis][g] = T(0.5) * (of.low[axis][g] + of.high[axis][g]);
       }
+      const Vec3<T> center{middle[0][g], middle[1][g], middle[2][g]};
+      Lanes<contact_group>{}.each([&](int k) WEFT_LANE {
+        const Vec3<T> off = way.get(g * contact_group + k) - center;
+        around[g * contact_group + k] = dot(off, off);
+      });
     }
-    lanes.each([&](int l) WEFT_LANE {
-      const Vec3<T> off = way.get(l) - Vec3<T>{middle[0][l], middle[1][l], middle[2][l]};
-      radius[l] = dot(off, off);
-    });
-    largest_of_groups(radius);
+    bound_groups(around, nearest, radius);
     double beyond = endless, pace = 0.0, drift = 0.0;
     for (int g = 0; g < groups_a_block; ++g) {
-      const int at = block * groups_a_block + g, l = g * contact_group;
-      const double spread = static_cast<double>(square_root(radius[l]));
+      const int at = block * groups_a_block + g;
+      const double spread = static_cast<double>(square_root(radius[g]));
       double off[3], from_all[3];
       for (int axis = 0; axis < 3; ++axis) {
-        const T gone = middle[axis][l];
+        const T gone = middle[axis][g];
         c.groups.motion[axis][at] = gone;
         off[axis] = static_cast<double>(gone) - since * c.groups.speed[axis][at];
         from_all[axis] = static_cast<double>(gone) - since * c.state->pace[axis];
       }
-      c.groups.motion[3][at] = square_root(radius[l]);
+      c.groups.motion[3][at] = square_root(radius[g]);
       const double unexpected = length(off), odd = length(from_all);
       const double went = (unexpected + spread) * (1.0 + 1e-5);
       c.groups.path[at] += went;
@@ -136,23 +126,23 @@ struct BoxGroups {
     const int i0 = block * block_size, of_cloth = sim.block.cloth[block];
     const int end = sim.cloths[of_cloth].end;
     const Vec3Array<T> now = p.x_out, first = c.first;
-    BoundsOfGroups<T> of{};
+    LaneVec3<T, N> least, most;
     const T far = T(3e38);
     lanes.each([&](int l) WEFT_LANE {
       const Vec3<T> at = load(now, i0 + l);
       store(first, i0 + l, at);
       const T zero = (at.x - at.x) + (at.y - at.y) + (at.z - at.z);
       const bool counts = (i0 + l < end) & (zero == T(0));
-      const Vec3<T> low = select(counts, at, Vec3<T>{far, far, far});
-      const Vec3<T> high = select(counts, at, Vec3<T>{-far, -far, -far});
-      of.low[0][l] = low.x;
-      of.low[1][l] = low.y;
-      of.low[2][l] = low.z;
-      of.high[0][l] = high.x;
-      of.high[1][l] = high.y;
-      of.high[2][l] = high.z;
+      least.set(l, select(counts, at, Vec3<T>{far, far, far}));
+      most.set(l, select(counts, at, Vec3<T>{-far, -far, -far}));
     });
-    of.reduce();
+    BoundsOfGroups<T> of, other;
+    bound_groups(least.x, of.low[0], other.high[0]);
+    bound_groups(least.y, of.low[1], other.high[1]);
+    bound_groups(least.z, of.low[2], other.high[2]);
+    bound_groups(most.x, other.low[0], of.high[0]);
+    bound_groups(most.y, other.low[1], of.high[1]);
+    bound_groups(most.z, other.low[2], of.high[2]);
     double all[6], beyond = endless, drift2 = 0.0;
     for (int g = 0; g < groups_a_block; ++g) {
       const int at = block * groups_a_block + g;
@@ -162,8 +152,8 @@ struct BoxGroups {
       double from_pace2 = 0.0;
       for (int axis = 0; axis < 3; ++axis) {
         const double origin = c.cloth[of_cloth].origin[axis];
-        const double at_low = in_world(of.low[axis][g * contact_group], origin);
-        const double at_high = in_world(of.high[axis][g * contact_group], origin);
+        const double at_low = in_world(of.low[axis][g], origin);
+        const double at_high = in_world(of.high[axis][g], origin);
         groups.low[axis][at] = at_low;
         groups.high[axis][at] = at_high;
         groups.speed[axis][at] = speed[axis];
@@ -189,7 +179,7 @@ struct BoxGroups {
 
  private:
   /// In distances; and the substeps that it is meant for.
-  static constexpr double least_margin = 0.4, most_margin = 6, margin_paces = 20;
+  static constexpr double least_margin = 0.5, most_margin = 6, margin_paces = 24;
 
   /// Who does not go as expected needs more of a margin.
   WEFT_HD double margin_of(int group) const {
@@ -258,7 +248,7 @@ struct PairGroups {
     const Contacts<T>& c = sim.contacts;
     ContactState& state = *c.state;
     if (atomic_take(&state.crowded, 0) != 0) return;
-    int32_t near[most_blocks];
+    NearBlock near[most_blocks];
     const int found = near_blocks(block, near);
     bool fits = found <= most_blocks;
     for (int g = 0; g < groups_a_block && fits; ++g) {
@@ -276,7 +266,13 @@ struct PairGroups {
            (a[1] - b[4] > reach) | (b[2] - a[5] > reach) | (a[2] - b[5] > reach);
   }
 
-  WEFT_HD int near_blocks(int block, int32_t* near) const {
+  /// And how near is touching, with what rounding may make of it.
+  struct NearBlock {
+    int32_t block;
+    double distance;  ///< m
+  };
+
+  WEFT_HD int near_blocks(int block, NearBlock* near) const {
     const Contacts<T>& c = sim.contacts;
     const ContactGroups<T>& groups = c.groups;
     const int of_cloth = sim.block.cloth[block];
@@ -291,20 +287,30 @@ struct PairGroups {
         if (far(own, groups.block_box + 6 * b, reach)) continue;
         if (!cloths_meet(c.cloth, of_cloth, sim.block.cloth[b])) continue;
         if (found == most_blocks) return found + 1;
-        near[found++] = b;
+        near[found++] = {b, distance_to(of_cloth, sim.block.cloth[b], own)};
       }
     }
     return found;
   }
 
+  WEFT_HD double distance_to(int a, int b, const double* box) const {
+    const ContactCloth &one = sim.contacts.cloth[a], &other = sim.contacts.cloth[b];
+    double distance = 0.5 * (one.distance + other.distance) * (1.0 + 1e-5);
+    for (int axis = 0; axis < 3; ++axis) {
+      const double between = one.origin[axis] - other.origin[axis];
+      const double size = larger(box[3 + axis], -box[axis]);
+      distance += unit * larger(between, -between) + 1e-15 * larger(size, 0.0);
+    }
+    return distance;
+  }
+
   /// False: there is no room.
-  WEFT_HD bool pair(int group, const int32_t* near, int blocks) const {
+  WEFT_HD bool pair(int group, const NearBlock* near, int blocks) const {
     const Contacts<T>& c = sim.contacts;
     const ContactGroups<T>& groups = c.groups;
-    const ContactCloth& cloth = c.cloth[sim.block.cloth[group / groups_a_block]];
     const double margin = groups.margin[group];
     Moving own;
-    double swept[6], size = 0.0;
+    double swept[6];
     for (int axis = 0; axis < 3; ++axis) {
       own.low[axis] = groups.low[axis][group];
       own.high[axis] = groups.high[axis][group];
@@ -312,21 +318,14 @@ struct PairGroups {
       const double way = horizon * (own.speed[axis] - c.state->pace[axis]);
       swept[axis] = own.low[axis] - margin + smaller(way, 0.0);
       swept[3 + axis] = own.high[axis] + margin + larger(way, 0.0);
-      size += larger(own.high[axis], -own.low[axis]);
     }
     int32_t others[most_others + groups_a_block];
     T left[most_others + groups_a_block];
     int found = 0;
     for (int k = 0; k < blocks; ++k) {
-      const ContactCloth& theirs = c.cloth[sim.block.cloth[near[k]]];
-      const double distance = 0.5 * (cloth.distance + theirs.distance);
-      double still = distance * (1.0 + 1e-5) + 1e-15 * larger(size, 0.0);
-      for (int axis = 0; axis < 3; ++axis) {
-        const double between = cloth.origin[axis] - theirs.origin[axis];
-        still += unit * larger(between, -between);
-      }
-      if (far(swept, groups.block_box + 6 * near[k], still)) continue;
-      const int first = near[k] * groups_a_block;
+      const double still = near[k].distance;
+      if (far(swept, groups.block_box + 6 * near[k].block, still)) continue;
+      const int first = near[k].block * groups_a_block;
       double room2[groups_a_block];
       meet(own, groups, first, margin, still, room2);
       for (int h = 0; h < groups_a_block; ++h) {

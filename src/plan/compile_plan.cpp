@@ -188,6 +188,8 @@ Pass advance_pass(const WorldShape& world, KernelKind kind) {
 
 /// Partners that a particle of a layer on another one has, and those that the search looks at.
 constexpr double usual_partners = 8, usual_candidates = 24;
+/// Groups that a group of particles is watched with, and those of them that are looked into.
+constexpr double usual_group_pairs = 24, usual_looks = 2;
 
 /// Particles that meet each other: what finds them, which a complete search does for some substeps
 /// at once, and what they do to each other where they are near.
@@ -204,6 +206,15 @@ void add_contact_passes(const WorldShape& world, uint64_t particles, Plan& plan)
     add("keys", "staggered_keys", keys, 12 * grids);
     add("sort", "sort_by_key", 64 * grids, 0);
     add("rows", "staggered_rows", 24 * grids + 3 * s + entries, 14 * usual_candidates);
+  } else if (world.contact_groups) {
+    // What a substep in which particles come near each other costs; pairs of groups last longer.
+    const double group_pairs = usual_group_pairs / contact_group,
+                 looks = usual_looks / contact_group;
+    add("motions", "move_groups", 9 * s + (4 * s + 72) / contact_group, 40);
+    add("boxes", "box_groups", 6 * s + 240.0 / contact_group, 30);
+    add("pairs", "pair_groups", (72 + 16) * group_pairs, 40 * group_pairs);
+    add("rows", "near_rows", (8 + 4 * s) * group_pairs + (8 + 24 * s) * looks + 4,
+        14 * group_pairs + 64 * 9 * looks);
   } else {
     add("bounds", "contact_bounds", 18 * s, 40);
     add("keys", "cell_keys", keys, 12);

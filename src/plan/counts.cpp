@@ -115,6 +115,7 @@ Counts counts_of(const WorldShape& world) {
   if (world.contact_grids > 0 && n.particles > 0) {
     n.contact_grids = world.contact_grids;
     n.staggered = world.staggered;
+    n.contact_groups = world.contact_groups;
     // Some eight cells a particle, so that few share one without being near, and four along each
     // axis.
     n.key_bits = 6;

@@ -45,10 +45,11 @@ struct WorldShape {
   PartCost parts[part_count] = {};
   uint32_t colliders[collider_shapes] = {};  ///< by ColliderShape
   uint32_t turning_colliders = 0;
-  Vector<GridCounts> meshes;  ///< each that a collider uses, once
-  bool interpolate = false;        ///< positions before a frame are kept
-  uint32_t contact_grids = 0;  ///< of self-collision: 0 none, 1 complete, else staggered or
-  bool staggered = false;      ///< staggered with one
+  Vector<GridCounts> meshes;    ///< each that a collider uses, once
+  bool interpolate = false;     ///< positions before a frame are kept
+  uint32_t contact_grids = 0;   ///< of self-collision: 0 none, 1 complete, else staggered or
+  bool staggered = false;       ///< staggered with one
+  bool contact_groups = false;  ///< looked for among groups of particles: on a host
   bool wind = false;
   bool normals = false;   ///< of meshes: grids need nothing for theirs
   uint32_t substeps = 1;  ///< most in a frame: motions are tabulated

@@ -55,20 +55,20 @@ struct ContactState {
   unsigned long long lists;   ///< made so far
 
   // Groups of particles (ContactGroups).
-  double pace[3];  ///< m: what particles went in a substep on average
-  unsigned long long least_left;  ///< m: of all pairs of groups, as an ordered double
+  double pace[3];                   ///< m: what particles went in a substep on average
+  unsigned long long least_left;    ///< m: of all pairs of groups, as an ordered double
   unsigned long long least_beyond;  ///< m: of all blocks: margin - path, so too
-  unsigned long long most_pace;   ///< m: from the average in a substep, so too
-  unsigned long long most_drift;  ///< m: of all groups' expected motion from the average, so too
-  double pace_change;             ///< m: of the average, since
-  double part;                    ///< of the usual margins
-  int32_t pair_horizon;           ///< substeps that pairs of groups are made for
-  uint64_t paired;                ///< substep that they were made in
-  unsigned long long pairs;       ///< of groups that were wanted
-  unsigned long long moved[2];    ///< the last substep in which a particle went too far, by turns
-  unsigned long long crowded;     ///< 1: too many pairs of groups
-  uint64_t crowded_until;     ///< substep that groups are tried in again
-  int32_t crowd_backoff;      ///< the next such time, in 64 substeps
+  unsigned long long most_pace;     ///< m: from the average in a substep, so too
+  unsigned long long most_drift;    ///< m: of all groups' expected motion from the average, so too
+  double pace_change;               ///< m: of the average, since
+  double part;                      ///< of the usual margins
+  int32_t pair_horizon;             ///< substeps that pairs of groups are made for
+  uint64_t paired;                  ///< substep that they were made in
+  unsigned long long pairs;         ///< of groups that were wanted
+  unsigned long long moved[2];      ///< the last substep in which a particle went too far, by turns
+  unsigned long long crowded;       ///< 1: too many pairs of groups
+  uint64_t crowded_until;           ///< substep that groups are tried in again
+  int32_t crowd_backoff;            ///< the next such time, in 64 substeps
 };
 
 /// What colliders do in a substep of particles that meet each other: in blocks with a row in the
@@ -84,15 +84,15 @@ constexpr int groups_a_super = 32 * groups_a_block;  ///< of 32 blocks
 
 template <class T>
 struct ContactGroups {
-  int64_t capacity;   ///< pairs: in one half those that are, in the other those that were
+  int64_t capacity;          ///< pairs: in one half those that are, in the other those that were
   double *low[3], *high[3];  ///< m: by group, where it is in the world
   double* speed[3];          ///< m a substep: by group, as it is expected to go on
-  double* block_box;  ///< m: low and high x, y, z by turns of where each block comes by
-  double* super_box;  ///< the same of 32 blocks
-  T* motion[4];       ///< m: x, y, z that a group went since it was looked at, and at most from that
-  double* path;       ///< m: by group, that it went from what was expected since pairs were made
-  double* margin;     ///< m: by group, that it may go so
-  double* usual;      ///< m: by group, that it went so in a substep
+  double* block_box;         ///< m: low and high x, y, z by turns of where each block comes by
+  double* super_box;         ///< the same of 32 blocks
+  T* motion[4];    ///< m: x, y, z that a group went since it was looked at, and at most from that
+  double* path;    ///< m: by group, that it went from what was expected since pairs were made
+  double* margin;  ///< m: by group, that it may go so
+  double* usual;   ///< m: by group, that it went so in a substep
   int32_t* pair_start;
   int32_t* pair_count;  ///< by group, a multiple of 8: filled up with groups that never touch
   int32_t* other;       ///< by pair: group
@@ -101,7 +101,7 @@ struct ContactGroups {
 
   template <class Arrays>
   constexpr void arrays(Arrays& array, const Counts& n) {
-    const int64_t blocks = n.contact_grids > 0 && !n.staggered ? n.particles / block_size : 0;
+    const int64_t blocks = n.contact_groups ? n.particles / block_size : 0;
     const int64_t groups = blocks * groups_a_block, pairs = 2 * groups * most_pairs_a_group;
     array.number(capacity, pairs);
     array(low[0], groups);
@@ -237,8 +237,8 @@ struct Contacts {
     array(busy, blocks);
     array.group(groups, n);
     array.later(search, grids, window, cell, shift, diagonal, skin, most_distance, most_stop,
-                most_drift, friction, with_excluded, by_groups, waits, age, still, budget, substep, entry,
-                capacity);
+                most_drift, friction, with_excluded, by_groups, waits, age, still, budget, substep,
+                entry, capacity);
   }
 };
 

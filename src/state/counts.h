@@ -40,7 +40,8 @@ struct Counts : ClothCounts {
   int64_t contact_grids;  ///< that particles are sorted into to find who is near; 0: nobody looks
   int64_t key_bits;       ///< of a cell's key
   bool staggered;         ///< by several grids, without a list that outlives a substep
-  int32_t accumulation;  ///< Accumulation
+  bool contact_groups;    ///< groups of particles are watched
+  int32_t accumulation;   ///< Accumulation
   double full_scale;
 };
 

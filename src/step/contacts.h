@@ -1,10 +1,18 @@
 // The order of self-collision within a substep.
 //
+//   substep with groups:     advance, colliders too (has anyone strayed?)             most often
+//                            advance, all colliders wait | how groups move |
+//                            (boxes of groups, of blocks, of 32 blocks | pairs of groups)?  rarely
+//                            rows of the pairs of groups that have nothing left | where any touch
+//                            (count | push | apply) 4 times | colliders, in every block
 //   substep with a list:     advance (who is not where the list expects it?)
 //                            (count | push | apply) 4 times | colliders, in the blocks of the list
 //   making a list:           bounds, cells | keys | sort | cells' ranges | rows
 //   substep without:         advance, all colliders wait | list of the new positions |
 //                            (count | push | apply) 4 times | colliders, in every block
+//
+// Groups of particles (kernels/near_groups.h) do where they are compact; of particles that lie
+// about, too many of them are near each other, and cells find who is.
 //
 // A list is made of the positions at the start of a substep and holds for as long as every particle
 // goes on as expected. When one has not, a list is made of the same start and the substep repeated;
@@ -15,13 +23,11 @@
 // the arena has chosen before, and a frame that has outrun one is made again with a list in every
 // substep.
 #pragma once
-#include <cstdlib>
-#include <cstdio>
 
 #include "kernels/collide_pass.h"
 #include "kernels/near_groups.h"
 #include "kernels/staggered_pairs.h"
-#include "kernels/touch.h"
+#include "kernels/push_apart.h"
 
 namespace weft {
 namespace WEFT_BACKEND_NS {
@@ -86,22 +92,25 @@ constexpr int contact_passes = 4;
 
 template <bool Position, class T, class Team>
 void push_apart(const Team& team, const Simulation<T>& sim, const ParticleBuffers<T>& p,
-                const StepParams<T>& step) {
+                const StepParams<T>& step, bool exact) {
   for (int pass = 0; pass < contact_passes; ++pass) {
     const int again = pass > 0 ? 1 : 0;
     if (again != 0) {
       team.meet();
-      team.for_each_block(sim.blocks, CountTouching<T, true>{sim, p.x_out});
+      team.for_each_block(sim.blocks, CountTouching<T, true>{sim, p.x_out, exact});
     } else {
-      team.for_each_block(sim.blocks, CountTouching<T, false>{sim, p.x_out});
+      team.for_each_block(sim.blocks, CountTouching<T, false>{sim, p.x_out, exact});
     }
     team.meet();
-    team.for_each_block(sim.blocks, PushApart<T, Position>{sim, p, step.dt, again});
+    team.for_each_block(sim.blocks, PushApart<T, Position>{sim, p, step.dt, again, exact});
     team.meet();
     team.for_each_block(sim.blocks, ApplyPushes<T, Position>{sim, p, again});
   }
   team.lap(Lap::contacts);
 }
+
+/// What the rows of a list hold: nothing, pairs that are near, or those that touch and no others.
+enum class Rows { empty, near, touching };
 
 /// From the forces to the pins, but for what waits for contact.
 template <class T, class Team>
@@ -112,9 +121,10 @@ void advance_before_contact(const Team&, const Simulation<T>&, const ParticleBuf
 /// changed, so that no overlap becomes speed.
 template <class T, class Team>
 void respond_to_contact(const Team& team, const Simulation<T>& sim, const ParticleBuffers<T>& p,
-                        const StepParams<T>& step, bool keeps = true, bool any = true) {
-  if (any && step.position_form) push_apart<true>(team, sim, p, step);
-  if (any && !step.position_form) push_apart<false>(team, sim, p, step);
+                        const StepParams<T>& step, bool keeps = true, Rows rows = Rows::near) {
+  const bool any = rows != Rows::empty, exact = rows == Rows::touching;
+  if (any && step.position_form) push_apart<true>(team, sim, p, step, exact);
+  if (any && !step.position_form) push_apart<false>(team, sim, p, step, exact);
   if (sim.reach != nullptr) {
     Simulation<T> later = sim;
     later.places_pins = false;  // they are where they belong
@@ -138,10 +148,10 @@ void respond_to_contact(const Team& team, const Simulation<T>& sim, const Partic
 
 /// How old the list is, as every thread of a team counts for itself.
 struct ListAge {
-  int substeps = -1;  ///< -1: there is none
-  int since = -1;     ///< since Contacts::from was written; -1: never
-  int made_for = 0;   ///< where the host cannot see: substeps
-  int groups = -1;    ///< since groups were looked at; -1: they are not known
+  int substeps = -1;     ///< -1: there is none
+  int since = -1;        ///< since Contacts::from was written; -1: never
+  int made_for = 0;      ///< where the host cannot see: substeps
+  int groups = -1;       ///< since groups were looked at; -1: they are not known
   uint64_t substep = 0;  ///< number of the last one
 };
 
@@ -214,7 +224,8 @@ bool pair_groups(const Team& team, const Simulation<T>& sim, const ParticleBuffe
   double part = c.state->part;
   for (; part > 0.1; part *= 0.5) {
     const double lasts = pace * most_horizon > far ? far / pace : most_horizon;
-    const int horizon = static_cast<int>(part * (since > 0 ? larger(least_horizon, lasts) : least_horizon));
+    const int horizon =
+        static_cast<int>(part * (since > 0 ? larger(least_horizon, lasts) : least_horizon));
     if (team.leads()) {
       c.state->least_beyond = ordered(endless);
       c.state->most_drift = ordered(0.0);
@@ -226,7 +237,6 @@ bool pair_groups(const Team& team, const Simulation<T>& sim, const ParticleBuffe
     team.meet();
     team.for_each_block(sim.blocks, PairGroups<T>{sim, horizon, since > 0});
     team.meet();
-    static const bool dbg=getenv("DBG")!=nullptr; if(dbg){ double mm=0; for(int b=0;b<sim.blocks*4;++b) mm+=c.groups.margin[b]; printf("relist %llu pairs/group %.2f crowded %llu mean margin %.2f part %g hor %d\n",(unsigned long long)c.substep,double(c.state->pairs)/sim.blocks/4,c.state->crowded,mm/sim.blocks/4/c.most_distance,part,horizon);}
     if (c.state->crowded == 0) break;
     since = 0;  // the motions are used up
   }
@@ -288,7 +298,7 @@ Outcome substep_with_groups(const Team& team, Simulation<T>& sim, const Particle
   team.meet();
   if (!fits(c)) return Outcome::full;
   age.groups = 0;
-  respond_to_contact(team, sim, p, step, true, c.state->used > 0);
+  respond_to_contact(team, sim, p, step, true, c.state->used > 0 ? Rows::touching : Rows::empty);
   return Outcome::done;
 }
 

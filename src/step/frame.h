@@ -24,7 +24,7 @@ struct Frame {
   int list_for;    ///< there: substeps that the list at hand was made for
   int groups_age;  ///< substeps since groups of particles were looked at; -1: never
   uint64_t contact_substep;  ///< number of the last substep with contact
-  bool by_block;   ///< some cloth has a list of colliders for each of its blocks
+  bool by_block;             ///< some cloth has a list of colliders for each of its blocks
   Workers workers = 1;
 };
 

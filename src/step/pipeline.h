@@ -146,8 +146,8 @@ void advance(const Team& team, const Simulation<T>& sim, const ParticleBuffers<T
 
 /// The same up to where particles meet each other; what then follows is in step/contacts.h.
 template <class T, class Team>
-void advance_before_contact(const Team& team, const Simulation<T>& sim,
-                            const ParticleBuffers<T>& p, const StepParams<T>& step) {
+void advance_before_contact(const Team& team, const Simulation<T>& sim, const ParticleBuffers<T>& p,
+                            const StepParams<T>& step) {
   springs_before(team, sim, p, step);
   if constexpr (Team::fuses) {
     advance_ranges<one_pass>(team, sim, p, step);

@@ -82,7 +82,7 @@ Status ContactTables<T>::prepare(const ArenaInput& in, Simulation<T>& sim) {
     c.most_distance = std::max(c.most_distance, distance_of(*cloth, desc));
     least = std::min(least, distance_of(*cloth, desc));
   }
-  c.by_groups = desc.skin < 0 ? 1 : 0;
+  c.by_groups = c.groups.capacity > 0 ? 1 : 0;
   c.skin = desc.skin < 0 ? usual_skin * least : desc.skin / 2;
   c.most_stop = most_stop * c.most_distance;
   c.most_drift = most_drift * c.most_distance;

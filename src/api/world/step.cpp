@@ -83,6 +83,8 @@ api::ArenaInput World::Impl::arena_input(uint32_t substeps) const {
   shape.substeps = std::max(1u, substeps);
   shape.wind = wind.has_value();
   shape.staggered = self_collision && self_collision->search == PairSearch::staggered;
+  shape.contact_groups = self_collision && !shape.staggered && self_collision->skin < 0 &&
+                         context->backend->info().host_memory;
   shape.contact_grids = !self_collision ? 0 : shape.staggered ? self_collision->grids : 1;
   shape.normals = normals_wanted;
   shape.interpolate = desc.interpolate;

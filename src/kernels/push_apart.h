@@ -1,0 +1,237 @@
+// What touching particles do to each other, after they were counted (touch.h).
+#pragma once
+
+#include "kernels/touch.h"
+
+namespace weft {
+namespace WEFT_BACKEND_NS {
+
+/// Unit vector of two particles at one place, away from the one of higher rank.
+template <class T>
+WEFT_HD Vec3<T> direction_of_ranks(uint32_t a, uint32_t b) {
+  const uint32_t low = a < b ? a : b, high = a < b ? b : a;
+  const uint32_t mixed = (low * 0x9e3779b1u ^ high) * 0x85ebca6bu;
+  const uint32_t axis = (mixed >> 16) % 3u;
+  const T sign = ((mixed >> 9 & 1u) != 0) != (a < b) ? T(1) : T(-1);
+  return {axis == 0 ? sign : T(0), axis == 1 ? sign : T(0), axis == 2 ? sign : T(0)};
+}
+
+/// What one particle does to another.
+template <class T>
+struct PairPush {
+  Vec3<T> push, brake;
+  int32_t wakes;  ///< 1: it would wake the other
+};
+
+/// What the partners of each particle do to it, into memory of its own: the others still read its
+/// position.
+template <class T, bool Position>
+struct PushApart {
+  Simulation<T> sim;
+  ParticleBuffers<T> p;
+  T dt;
+  int again;   ///< 1: a repetition
+  bool exact;  ///< as in CountTouching
+
+  template <int N>
+  WEFT_HD void operator()(int block, int lane0, Lanes<N> lanes) const {
+    const Contacts<T>& c = sim.contacts;
+    if (c.row_width[block] == 0 || (again != 0 && c.busy[block] == 0)) return;
+    const int i0 = block * block_size + lane0;
+    const int32_t* touching = c.touching;
+    if (!lanes.any([&](int l) WEFT_LANE { return touching[i0 + l] > 0; })) {
+      const Vec3Array<T> push = c.push, brake = c.brake;
+      lanes.each([=](int l) WEFT_LANE {
+        store(push, i0 + l, Vec3<T>{T(0), T(0), T(0)});
+        store(brake, i0 + l, Vec3<T>{T(0), T(0), T(0)});
+      });
+      return;
+    }
+    with_pairs(sim, p.x_out, block, [&](auto pairs) { add_up(pairs, block, i0, lane0, lanes); });
+  }
+
+ private:
+  template <class Pairs, int N>
+  WEFT_HD void add_up(const Pairs& pairs, int block, int i0, int lane0, Lanes<N> lanes) const {
+    const Contacts<T>& c = sim.contacts;
+    const int of_cloth = sim.block.cloth[block], width = c.row_width[block];
+    const bool asleep = sim.activity[of_cloth].asleep != 0;
+    const T limit = T(c.cloth[of_cloth].wake_speed) * dt;
+    LaneVec3<T, N> push, brake;
+    int32_t wakes[N];
+    lanes.each([&](int l) WEFT_LANE {
+      push.set(l, {T(0), T(0), T(0)});
+      brake.set(l, {T(0), T(0), T(0)});
+      wakes[l] = 0;
+    });
+    if constexpr (N == block_size) {
+      if (is_sparse(c, block)) {
+        const bool all = exact || again == 0;
+        const Push<Pairs, true> any = push_of<true>(pairs, asleep, limit);
+        const Push<Pairs, false> met = push_of<false>(pairs, asleep, limit);
+        if (all) {
+          add_entries(any, block, push, brake, wakes);
+        } else {
+          add_entries(met, block, push, brake, wakes);
+        }
+        return give(block, i0, lanes, push, brake, wakes);
+      }
+    }
+    const Push<Pairs, false> of = push_of<false>(pairs, asleep, limit);
+    const int32_t* row = c.entry + c.row_start[block] + lane0;
+    for (int k = 0; k < width; ++k, row += block_size) {
+      lanes.each([&](int l) WEFT_LANE {
+        const PairPush<T> by = of(i0 + l, row[l]);
+        push.set(l, push.get(l) + by.push);
+        brake.set(l, brake.get(l) + by.brake);
+        wakes[l] |= by.wakes;
+      });
+    }
+    give(block, i0, lanes, push, brake, wakes);
+  }
+
+  /// The same where few of the entries of a block's rows touch.
+  template <class Of, int N>
+  WEFT_HD_COLD void add_entries(const Of& by, int block, LaneVec3<T, N>& push,
+                                LaneVec3<T, N>& brake, int32_t (&wakes)[N]) const {
+    const Of of = by;
+    const int i0 = block * block_size;
+    each_entry(sim.contacts, block, [&](int l, int j) {
+      const PairPush<T> one = of(i0 + l, j);
+      push.set(l, push.get(l) + one.push);
+      brake.set(l, brake.get(l) + one.brake);
+      wakes[l] |= one.wakes;
+    });
+  }
+
+  template <int N>
+  WEFT_HD void give(int block, int i0, Lanes<N> lanes, const LaneVec3<T, N>& push,
+                    const LaneVec3<T, N>& brake, const int32_t (&wakes)[N]) const {
+    const Contacts<T>& c = sim.contacts;
+    const int of_cloth = sim.block.cloth[block];
+    const Vec3Array<T> push_out = c.push, brake_out = c.brake;
+    lanes.each([&](int l) WEFT_LANE {
+      store(push_out, i0 + l, push.get(l));
+      store(brake_out, i0 + l, brake.get(l));
+    });
+    if (sim.activity[of_cloth].asleep &&
+        lanes.any([&](int l) WEFT_LANE { return wakes[l] != 0; })) {
+      atomic_most(c.woken + of_cloth, 1ull);
+    }
+  }
+
+  template <bool All, class Pairs>
+  WEFT_HD auto push_of(const Pairs& pairs, bool asleep, T limit) const {
+    const Contacts<T>& c = sim.contacts;
+    return Push<Pairs, All>{pairs,           c.rank, sim.inverse_mass, c.touching,    c.first,
+                            c.shift_of_form, p,      c.friction,       limit * limit, again == 0,
+                            asleep};
+  }
+
+  /// What particle j does to particle i. `All`: whether or not they touched at first.
+  template <class Pairs, bool All>
+  struct Push {
+    Pairs pairs;
+    const uint32_t* rank;
+    const T* inverse_mass;
+    const int32_t* touching;
+    Vec3Array<T> first_x, shift;
+    ParticleBuffers<T> buffers;
+    T friction, limit2;
+    bool first, asleep;
+
+    WEFT_HD PairPush<T> operator()(int i, int j) const {
+      const T tiny = sizeof(T) == 4 ? T(1e-34) : T(1e-290);
+      const Pair<T> pair = pairs(i, j);
+      const T length2 = dot(pair.apart, pair.apart);
+      const bool acting = All || first | touched(pairs, first_x, i, j);
+      const bool touches = (length2 < pair.distance * pair.distance) & (j != i) & acting;
+      const T m_i = inverse_mass[i], m_j = inverse_mass[j];  // read in any case: no branch
+      const T w_i = asleep ? T(0) : m_i, w_j = pair.asleep ? T(0) : m_j;
+      const T both = w_i + w_j;
+      const int32_t count = touching[i] > touching[j] ? touching[i] : touching[j];
+      const bool acts = touches & (both > T(0));
+      const T share = acts ? w_i / (both * T(count > 0 ? count : 1)) : T(0);
+      const bool together = !(length2 > tiny);
+      const T length = together ? T(0) : square_root(length2);
+      const Vec3<T> n = select(together, direction_of_ranks<T>(rank[i], rank[j]),
+                               (T(1) / (together ? T(1) : length)) * pair.apart);
+      const Vec3<T> d_j = went(buffers, shift, j), slip = went(buffers, shift, i) - d_j;
+      const T across = dot(slip, n), against = larger(T(0), -across);
+      const Vec3<T> sliding = slip - across * n;
+      const T most = friction * against, sliding2 = dot(sliding, sliding);
+      const T held = sliding2 > most * most ? most / square_root(sliding2) : T(1);
+      const Vec3<T> drag = (most > T(0) ? -held : T(0)) * sliding;
+      const Vec3<T> none{T(0), T(0), T(0)};
+      const bool fast = dot(d_j, d_j) > limit2;
+      return {select(acts, share * ((pair.distance - length) * n + drag), none),
+              select(acts, share * (against * n + drag), none),
+              (touches & !pair.asleep & fast) ? 1 : 0};
+    }
+  };
+
+  /// Displacement of this substep so far, without what overlaps have moved.
+  WEFT_HD static Vec3<T> went(const ParticleBuffers<T>& p, const Vec3Array<T>& shift, int i) {
+    if constexpr (Position) {
+      return (load(p.x_out, i) - load(p.x_in, i)) - load(shift, i);
+    } else {
+      return load(p.d_out, i);
+    }
+  }
+};
+
+/// Moves the particles by it. In the position form the displacement follows from the positions:
+/// what must not become speed is added up (Contacts::shift_of_form) and waits until the colliders
+/// have spoken (KeepDisplacement), the position in the place of the push.
+template <class T, bool Position>
+struct ApplyPushes {
+  Simulation<T> sim;
+  ParticleBuffers<T> p;
+  int again;  ///< 1: a repetition
+
+  template <int N>
+  WEFT_HD void operator()(int block, int lane0, Lanes<N> lanes) const {
+    const Contacts<T>& c = sim.contacts;
+    if (c.row_width[block] == 0 || sim.activity[sim.block.cloth[block]].asleep) return;
+    if (again != 0 && c.busy[block] == 0) return;
+    const int i0 = block * block_size + lane0;
+    const ParticleBuffers<T> buffers = p;
+    const Vec3Array<T> pushes = c.push, brakes = c.brake, shift = c.shift_of_form;
+    lanes.each([=](int l) WEFT_LANE {
+      const Vec3<T> push = load(pushes, i0 + l), brake = load(brakes, i0 + l);
+      const Vec3<T> to = load(buffers.x_out, i0 + l) + push;
+      store(buffers.x_out, i0 + l, to);
+      if constexpr (Position) {
+        store(pushes, i0 + l, to);
+        store(shift, i0 + l, load(shift, i0 + l) + (push - brake));
+      } else {
+        store(buffers.d_out, i0 + l, load(buffers.d_out, i0 + l) + brake);
+      }
+    });
+  }
+};
+
+/// The position form's previous position, where no collider has moved the particle since.
+template <class T>
+struct KeepDisplacement {
+  Simulation<T> sim;
+  ParticleBuffers<T> p;
+
+  template <int N>
+  WEFT_HD void operator()(int block, int lane0, Lanes<N> lanes) const {
+    const Contacts<T>& c = sim.contacts;
+    if (c.row_width[block] == 0 || sim.activity[sim.block.cloth[block]].asleep) return;
+    const int i0 = block * block_size + lane0;
+    const ParticleBuffers<T> buffers = p;
+    const Vec3Array<T> pushed = c.push, overlap = c.shift_of_form;
+    lanes.each([=](int l) WEFT_LANE {
+      const Vec3<T> x = load(buffers.x_out, i0 + l), to = load(pushed, i0 + l);
+      const bool same = (x.x == to.x) & (x.y == to.y) & (x.z == to.z);
+      const Vec3<T> before = load(buffers.x_in, i0 + l);
+      store(buffers.x_in, i0 + l, select(same, before + load(overlap, i0 + l), before));
+    });
+  }
+};
+
+}  // namespace WEFT_BACKEND_NS
+}  // namespace weft

@@ -8,7 +8,7 @@ inline namespace v0 {
 
 /// How pairs of near particles are found.
 enum class PairSearch : uint8_t {
-  complete,  ///< one sort, 27 cells, a list with a skin: every pair, whatever the distance
+  complete,  ///< every pair, whatever the distance: groups that are watched, or cells and a list
   staggered  ///< Kipfer, Segal and Westermann 2004, Georgii and Westermann 2005 section 5: pairs
              ///< that share a cell of one of several shifted grids; some are missed
 };
@@ -35,8 +35,9 @@ struct SelfCollisionDesc {
   GridShifts shifts = GridShifts::corner;
   /// PairSearch::staggered: a particle looks at this many before and behind it in its cell; 0: all.
   uint32_t window = 0;
-  /// PairSearch::complete: m, by how much more than `distance` the pairs of the list may be apart.
-  /// Below 0: chosen as the cloths move. 0: the list is made anew in every substep. Bits do not
+  /// PairSearch::complete: below 0: groups of particles are watched where the back end can, else a
+  /// list of near pairs is made, with a skin chosen as the cloths move. Else such a list: m, by how
+  /// much more than `distance` its pairs may be apart; 0: made anew in every substep. Bits do not
   /// depend on it, time does.
   double skin = -1;
 };
@@ -46,7 +47,7 @@ struct ContactCounts {
   uint64_t touching = 0;  ///< pairs that touch
   uint64_t excluded = 0;  ///< pairs of one cloth that never do: their rest distance is too short
   uint64_t listed = 0;    ///< entries of the last list: every pair twice, and filling
-  uint64_t lists = 0;     ///< lists made since the world was
+  uint64_t lists = 0;     ///< lists (or pairs of groups) made since the world was
 };
 
 /// Two vertices nearer than their distance; a is the cloth that was created first, and within one

@@ -65,15 +65,8 @@ struct PushApart {
       wakes[l] = 0;
     });
     if constexpr (N == block_size) {
-      if (is_sparse(c, block)) {
-        const bool all = exact || again == 0;
-        const Push<Pairs, true> any = push_of<true>(pairs, asleep, limit);
-        const Push<Pairs, false> met = push_of<false>(pairs, asleep, limit);
-        if (all) {
-          add_entries(any, block, push, brake, wakes);
-        } else {
-          add_entries(met, block, push, brake, wakes);
-        }
+      if (exact && is_sparse(c, block)) {
+        add_alone(push_of<true>(pairs, asleep, limit), block, push, brake, wakes);
         return give(block, i0, lanes, push, brake, wakes);
       }
     }
@@ -90,13 +83,13 @@ struct PushApart {
     give(block, i0, lanes, push, brake, wakes);
   }
 
-  /// The same where few of the entries of a block's rows touch.
+  /// The same without filling (drop_filling).
   template <class Of, int N>
-  WEFT_HD_COLD void add_entries(const Of& by, int block, LaneVec3<T, N>& push,
-                                LaneVec3<T, N>& brake, int32_t (&wakes)[N]) const {
+  WEFT_HD_COLD void add_alone(const Of& by, int block, LaneVec3<T, N>& push, LaneVec3<T, N>& brake,
+                              int32_t (&wakes)[N]) const {
     const Of of = by;
     const int i0 = block * block_size;
-    each_entry(sim.contacts, block, [&](int l, int j) {
+    each_alone(sim.contacts, block, [&](int l, int j) {
       const PairPush<T> one = of(i0 + l, j);
       push.set(l, push.get(l) + one.push);
       brake.set(l, brake.get(l) + one.brake);

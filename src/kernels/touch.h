@@ -117,31 +117,35 @@ WEFT_HD bool touched(const Pairs& pairs, const Vec3Array<T>& first, int i, int j
   return dot(apart, apart) < distance * distance;
 }
 
-/// Whether few of the entries of a block's rows touch.
+/// Whether few of the entries of a block's rows, of which all or some touch, are no filling. Then a
+/// host keeps these alone in their place: lane and other particle by turns, in the order of the
+/// rows.
+constexpr int most_alone = 4 * block_size;
 template <class T>
 WEFT_HD bool is_sparse(const Contacts<T>& c, int block) {
-  return 4 * c.busy[block] < block_size * c.row_width[block];
+  const int touching = c.busy[block];
+  return 4 * touching < block_size * c.row_width[block] && touching <= most_alone;
 }
-
-/// Calls work(lane, other) for each entry of a block's rows that is no filling, in the order of the
-/// rows. A host's.
-template <class T, class Work>
-WEFT_HD void each_entry(const Contacts<T>& c, int block, const Work& work) {
-  constexpr int most = 2 * block_size;
+template <class T>
+WEFT_HD void drop_filling(const Contacts<T>& c, int block) {
   const int width = c.row_width[block], i0 = block * block_size;
-  const int32_t* row = c.entry + c.row_start[block];
-  int32_t lane[most], other[most];
+  int32_t* row = c.entry + c.row_start[block];
+  int32_t alone[2 * most_alone + 2];  // with room for what is not kept
   int n = 0;
-  for (int k = 0; k < width; ++k, row += block_size) {
-    for (int l = 0; l < block_size; ++l) {
-      lane[n] = l;
-      other[n] = row[l];
-      n += row[l] != i0 + l ? 1 : 0;
-    }
-    if (n < most - block_size && k + 1 < width) continue;
-    for (int e = 0; e < n; ++e) work(lane[e], other[e]);
-    n = 0;
+  for (int k = 0; k < width * block_size; ++k) {
+    const int l = k % block_size;
+    alone[2 * n] = l;
+    alone[2 * n + 1] = row[k];
+    n += row[k] != i0 + l ? 1 : 0;
   }
+  for (int k = 0; k < 2 * n; ++k) row[k] = alone[k];
+}
+/// Calls work(lane, other) for each of them.
+template <class T, class Work>
+WEFT_HD void each_alone(const Contacts<T>& c, int block, const Work& work) {
+  const int32_t* entry = c.entry + c.row_start[block];
+  const int n = c.busy[block];
+  for (int e = 0; e < n; ++e) work(entry[2 * e], entry[2 * e + 1]);
 }
 
 /// Counts the partners that touch. `Again`: in a repetition.
@@ -164,14 +168,7 @@ struct CountTouching {
     with_pairs(sim, x, block, [&](auto pairs) {
       const int32_t* row = c.entry + c.row_start[block] + lane0;
       if constexpr (Again && N == block_size) {
-        if (is_sparse(c, block)) {
-          if (exact) {
-            count_entries<true>(c, pairs, block, count);
-          } else {
-            count_entries<false>(c, pairs, block, count);
-          }
-          return;
-        }
+        if (exact && is_sparse(c, block)) return count_alone(c, pairs, block, count);
       }
       for (int k = 0; k < width; ++k, row += block_size) {
         lanes.each([&](int l) WEFT_LANE {
@@ -191,6 +188,9 @@ struct CountTouching {
     if constexpr (!Again) {
       const int32_t all = sum_of_lanes(most, lanes);
       if (lane0 == 0) c.busy[block] = all;
+      if constexpr (N == block_size) {
+        if (exact && is_sparse(c, block)) drop_filling(c, block);
+      }
       const Vec3Array<T> now = x;
       lanes.each([=](int l) WEFT_LANE { store(first, i0 + l, load(now, i0 + l)); });
       if (c.shift_of_form.data == nullptr) return;
@@ -200,17 +200,14 @@ struct CountTouching {
   }
 
  private:
-  template <bool Exact, class Pairs, int N>
-  WEFT_HD_COLD static void count_entries(const Contacts<T>& c, const Pairs& by, int block,
-                                         int32_t (&count)[N]) {
+  template <class Pairs, int N>
+  WEFT_HD_COLD static void count_alone(const Contacts<T>& c, const Pairs& by, int block,
+                                       int32_t (&count)[N]) {
     const Pairs pairs = by;
-    const Vec3Array<T> first = c.first;
     const int i0 = block * block_size;
-    each_entry(c, block, [&](int l, int j) {
+    each_alone(c, block, [&](int l, int j) {
       const Pair<T> pair = pairs(i0 + l, j);
-      const bool touches = dot(pair.apart, pair.apart) < pair.distance * pair.distance;
-      const bool met = Exact || touched(pairs, first, i0 + l, j);
-      count[l] += (touches & met) ? 1 : 0;
+      count[l] += dot(pair.apart, pair.apart) < pair.distance * pair.distance ? 1 : 0;
     });
   }
 };

@@ -84,7 +84,6 @@ struct MoveGroups {
       c.groups.usual[at] = went / since;
       beyond = smaller(c.groups.margin[at] - c.groups.path[at], beyond);
       pace = larger(odd + spread, pace);
-      c.groups.odd[at] = T((odd + spread) * (1.0 + 1e-5));
       drift = larger(unexpected + odd, drift);
       if (!(c.groups.path[at] >= 0.0)) beyond = -endless;  // not a number
     }
@@ -157,7 +156,6 @@ struct BoxGroups {
       drift2 = larger(drift2, from_pace2);
       if (since == 0) {
         for (int k = 0; k < 4; ++k) groups.motion[k][at] = T(0);
-        groups.odd[at] = T(0);
       }
       groups.path[at] = 0.0;
       groups.margin[at] = margin;

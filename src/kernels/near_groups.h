@@ -141,15 +141,13 @@ struct PairGroups {
       uint64_t apart = nobody_asked;
       while (old < end && groups.other[old] < other) ++old;  // both go up, but for filling
       if (old < end && k < found && groups.other[old] == other) {
-        room = groups.left[old] - groups.debt[group];
+        room = groups.left[old];
         apart = groups.apart[old];
       }
       groups.other[start + k] = other;
       groups.left[start + k] = room;
       groups.apart[start + k] = apart;
     }
-    groups.debt[group] = T(0);
-    groups.least[group] = T(-1);
     groups.pair_start[group] = start;
     groups.pair_count[group] = padded;
     return true;
@@ -196,7 +194,6 @@ struct PairGroups {
 template <class T>
 struct GroupFinder {
   Vec3Array<T> x;
-  int since;  ///< substeps of the motions
 
   static constexpr int group = contact_group;
 
@@ -214,19 +211,10 @@ struct GroupFinder {
         });
       }
     } else {
-      // While no other group can have come nearer than what the nearest has left, nobody is asked.
-      const double others = unordered(sim.contacts.state->most_pace) * since * (1.0 + 1e-5);
-      const T debt = groups.debt[own];
-      const T more = debt + (groups.odd[own] + T(others));
-      if (groups.least[own] - more > T(0)) {
-        groups.debt[own] = more;
-        note(sim, groups.least[own] - more);
-        return;
-      }
       T least = T(endless);
       for (int p = start; p < end; p += 8) {
         T left[8];
-        if (come_nearer(groups, own, p, debt, left)) {
+        if (come_nearer(groups, own, p, left)) {
           for (int k = 0; k < 8; ++k) {
             if (left[k] >= T(0)) continue;
             left[k] = groups.left[p + k] = look_into(sim, own, p + k, emit);
@@ -234,20 +222,13 @@ struct GroupFinder {
         }
         for (int k = 0; k < 8; ++k) least = smaller(least, left[k]);
       }
-      groups.debt[own] = T(0);
-      groups.least[own] = least;
-      note(sim, least);
+      atomic_least(&sim.contacts.state->least_left, ordered(static_cast<double>(least)));
     }
   }
 
  private:
-  WEFT_HD static void note(const Simulation<T>& sim, T left) {
-    atomic_least(&sim.contacts.state->least_left, ordered(static_cast<double>(left)));
-  }
-
   /// Takes from eight pairs what their groups may have come nearer; whether any has nothing left.
-  WEFT_HD static bool come_nearer(const ContactGroups<T>& groups, int own, int p, T debt,
-                                  T (&left)[8]) {
+  WEFT_HD static bool come_nearer(const ContactGroups<T>& groups, int own, int p, T (&left)[8]) {
     const T *mx = groups.motion[0], *my = groups.motion[1], *mz = groups.motion[2];
     const T* radius = groups.motion[3];
     const Vec3<T> way{mx[own], my[own], mz[own]};
@@ -258,7 +239,7 @@ struct GroupFinder {
       const int o = others[k];
       const Vec3<T> off = Vec3<T>{mx[o], my[o], mz[o]} - way;
       const T nearer = square_root(dot(off, off)) + (own_radius + radius[o]);
-      left[k] = lefts[k] - (T(1.00001) * nearer + debt);
+      left[k] = lefts[k] - T(1.00001) * nearer;
       lefts[k] = left[k];
     });
     return Lanes<8>{}.any([&](int k) WEFT_LANE { return !(left[k] >= T(0)); });

@@ -93,9 +93,6 @@ struct ContactGroups {
   double* path;    ///< m: by group, that it went from what was expected since pairs were made
   double* margin;  ///< m: by group, that it may go so
   double* usual;   ///< m: by group, that it went so in a substep
-  T* odd;          ///< m: by group, that it went since it was looked at from what all did
-  T* debt;         ///< m: by group, that is still to be taken from what its pairs have left
-  T* least;        ///< m: by group, that any of its pairs has left, without the debt
   int32_t* pair_start;
   int32_t* pair_count;  ///< by group, a multiple of 8: filled up with groups that never touch
   int32_t* other;       ///< by pair: group
@@ -125,9 +122,6 @@ struct ContactGroups {
     array(path, groups);
     array(margin, groups);
     array(usual, groups);
-    array(odd, groups);
-    array(debt, groups);
-    array(least, groups);
     array(pair_start, groups);
     array(pair_count, groups);
     array(other, pairs);

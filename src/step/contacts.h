@@ -294,8 +294,7 @@ Outcome substep_with_groups(const Team& team, Simulation<T>& sim, const Particle
   }
   age.groups = -1;
   if (wanted && !pair_groups(team, sim, p, known ? since : 0)) return Outcome::crowded;
-  team.for_each_block(sim.blocks,
-                      WriteRows<T, GroupFinder<T>>{sim, GroupFinder<T>{p.x_out, since}});
+  team.for_each_block(sim.blocks, WriteRows<T, GroupFinder<T>>{sim, GroupFinder<T>{p.x_out}});
   team.meet();
   if (!fits(c)) return Outcome::full;
   age.groups = 0;

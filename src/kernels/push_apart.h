@@ -90,6 +90,7 @@ struct PushApart {
     const Of of = by;
     const int i0 = block * block_size;
     each_alone(sim.contacts, block, [&](int l, int j) {
+      if (!of.touches(i0 + l, j)) return;
       const PairPush<T> one = of(i0 + l, j);
       push.set(l, push.get(l) + one.push);
       brake.set(l, brake.get(l) + one.brake);
@@ -133,6 +134,10 @@ struct PushApart {
     T friction, limit2;
     bool first, asleep;
 
+    WEFT_HD bool touches(int i, int j) const {
+      const Pair<T> pair = pairs(i, j);
+      return dot(pair.apart, pair.apart) < pair.distance * pair.distance;
+    }
     WEFT_HD PairPush<T> operator()(int i, int j) const {
       const T tiny = sizeof(T) == 4 ? T(1e-34) : T(1e-290);
       const Pair<T> pair = pairs(i, j);

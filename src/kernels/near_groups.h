@@ -196,6 +196,7 @@ struct GroupFinder {
   Vec3Array<T> x;
 
   static constexpr int group = contact_group;
+  static constexpr int few_looks = 8;  ///< of a group: not counted
 
   /// As CompleteFinder::search.
   template <int G, class Emit>
@@ -205,23 +206,24 @@ struct GroupFinder {
     const int end = start + groups.pair_count[own];
     if constexpr (G == 1) {  // again, for one of them
       for (int p = start; p < end; ++p) {
-        if (groups.left[p] >= T(0)) continue;
-        look_into(sim, own, p, [&](int l, int32_t j, int of_j, bool meets) {
-          if (l == i % contact_group) emit(0, j, of_j, meets);
-        });
+        if (!(groups.left[p] >= T(0))) look_from(sim, i, p, emit);
       }
     } else {
       T least = T(endless);
+      int looks = 0;
       for (int p = start; p < end; p += 8) {
         T left[8];
         if (come_nearer(groups, own, p, left)) {
           for (int k = 0; k < 8; ++k) {
             if (left[k] >= T(0)) continue;
             left[k] = groups.left[p + k] = look_into(sim, own, p + k, emit);
+            ++looks;
           }
         }
-        for (int k = 0; k < 8; ++k) least = smaller(least, left[k]);
+        for (int k = 0; k < 8; ++k) least = smaller(left[k], least);
       }
+      if (looks > few_looks)
+        atomic_sum(&sim.contacts.state->looks, static_cast<unsigned long long>(looks));
       atomic_least(&sim.contacts.state->least_left, ordered(static_cast<double>(least)));
     }
   }
@@ -293,6 +295,30 @@ struct GroupFinder {
     const T size = larger(between.x, -between.x) + larger(between.y, -between.y) +
                    larger(between.z, -between.z);
     return T(0.99999) * square_root(nearest) - (T(1.00001) * distance + unit * size);
+  }
+
+  /// The same for one particle, where its group was looked into before.
+  template <class Emit>
+  WEFT_HD_COLD void look_from(const Simulation<T>& sim, int i, int pair, const Emit& emit) const {
+    constexpr int G = contact_group;
+    const Contacts<T>& c = sim.contacts;
+    const int j0 = c.groups.other[pair] * G;
+    const int a = sim.block.cloth[i / block_size], b = sim.block.cloth[j0 / block_size];
+    const uint64_t apart = c.groups.apart[pair] >> (i % G);
+    const ContactCloth &one = c.cloth[a], &two = c.cloth[b];
+    const Vec3<T> between{T(one.origin[0] - two.origin[0]), T(one.origin[1] - two.origin[1]),
+                          T(one.origin[2] - two.origin[2])};
+    const T distance = T(0.5 * (one.distance + two.distance)), touching = distance * distance;
+    const Vec3Array<T> at = x;
+    const Vec3<T> here = load(at, i);
+    T length2[G];
+    Lanes<G>{}.each([&](int m) WEFT_LANE {
+      const Vec3<T> d = (here - load(at, j0 + m)) + between;
+      length2[m] = dot(d, d);
+    });
+    for (int m = 0; m < G; ++m) {
+      if (length2[m] < touching && (apart >> (8 * m) & 1u) == 0) emit(0, j0 + m, b, true);
+    }
   }
 
   WEFT_HD static uint64_t who_never_meets(const Simulation<T>& sim, int own, int other, int a,

@@ -142,8 +142,7 @@ struct CompleteFinder {
     for (int axis = 0; axis < 3; ++axis) {
       const double inverse = state.inverse_cell[axis], reach = all.reach[axis];
       first[axis] = floor_bits((all.low[axis] - reach) * inverse);
-      cells[axis] =
-          1 + static_cast<int>(floor_bits((all.high[axis] + reach) * inverse) - first[axis]);
+      cells[axis] = count_of(all.low[axis] - reach, all.high[axis] + reach, inverse, most_cells);
     }
     if constexpr (G > 1) {
       // Who are far from each other look alone.
@@ -189,6 +188,12 @@ struct CompleteFinder {
  private:
   static constexpr int most_kept = 64, chunk = 4, run = 8;
   static constexpr int most_cells = 1 << 28;
+  /// Cells from one place to another, at most `most`: numbers of cells wrap around.
+  WEFT_HD static int count_of(double from, double to, double inverse, int most) {
+    if (!((to - from) * inverse < double(most - 1))) return most;
+    const auto count = static_cast<int>(floor_bits(to * inverse) - floor_bits(from * inverse)) + 1;
+    return count < most ? count : most;
+  }
   /// A radius that no other makes a reach of.
   WEFT_HD static constexpr T nobody() {
     if constexpr (sizeof(T) == 4) {
@@ -265,9 +270,8 @@ struct CompleteFinder {
       all.reach[axis] = state.reach[axis];
       if (state.horizon == 0) continue;
       first[axis] = zone_along(state, axis, all.low[axis] - state.reach[axis]);
-      const auto count =
-          zone_along(state, axis, all.high[axis] + state.reach[axis]) - first[axis] + 1u;
-      zones[axis] = count < (1u << zone_bits) ? static_cast<int>(count) : 1 << zone_bits;
+      zones[axis] = count_of(all.low[axis] - state.reach[axis], all.high[axis] + state.reach[axis],
+                             state.inverse_zone[axis], 1 << zone_bits);
     }
     if (state.horizon == 0) return;
     unsigned long long slowest[3], fastest[3], skin = 0;

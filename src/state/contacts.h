@@ -66,8 +66,10 @@ struct ContactState {
   uint64_t paired;                  ///< substep that they were made in
   unsigned long long pairs;         ///< of groups that were wanted
   unsigned long long moved[2];      ///< the last substep in which a particle went too far, by turns
+  unsigned long long looks;         ///< into pairs of groups, by groups that look into many
   unsigned long long crowded;       ///< 1: too many pairs of groups
   uint64_t crowded_until;           ///< substep that groups are tried in again
+  int32_t restless;                 ///< how often pairs of groups did not last, one after the other
   int32_t crowd_backoff;            ///< the next such time, in 64 substeps
 };
 

@@ -161,6 +161,15 @@ bool fits(const Contacts<T>& c) {
   return c.state->used <= static_cast<unsigned long long>(c.capacity);
 }
 
+/// Where groups are too crowded, a list is not worth its time that is outrun in so few substeps, or
+/// that has so many entries for each particle: of particles that fly about.
+constexpr int least_worth = 3, most_entries = 12;
+template <class T>
+bool is_too_wide(const Simulation<T>& sim) {
+  const auto most = static_cast<unsigned long long>(sim.blocks) * block_size * most_entries;
+  return sim.contacts.by_groups != 0 && sim.contacts.state->used > most;
+}
+
 /// Tries a substep with a list. False: a particle has outrun it, or there was no room for it.
 template <class T, class Team>
 bool substep_with_list(const Team& team, Simulation<T>& sim, const ParticleBuffers<T>& p,
@@ -171,7 +180,7 @@ bool substep_with_list(const Team& team, Simulation<T>& sim, const ParticleBuffe
     if (makes) {
       list_pairs(team, sim, p, p.x_in, step.position_form, true, age.since);
       age.substeps = age.since = 0;
-      if (c.state->horizon == 0 || !fits(c)) return false;
+      if (c.state->horizon == 0 || !fits(c) || is_too_wide(sim)) return false;
     }
     ++age.substeps;
     c.age = T(age.substeps);
@@ -185,7 +194,7 @@ bool substep_with_list(const Team& team, Simulation<T>& sim, const ParticleBuffe
       c.state->limit = age.substeps > 1 ? age.substeps - 1 : 1;
     }
     team.meet();
-    if (age.substeps == 1) return false;
+    if (age.substeps <= (c.by_groups != 0 ? least_worth : 1)) return false;
     age.substeps = -1;
   }
   respond_to_contact(team, sim, p, step);
@@ -210,6 +219,11 @@ inline double budget_of(const ContactState& state, int since) {
 
 /// How far, in distances, the fastest may go while pairs of groups last; and limits of how long.
 constexpr double pairs_last = 4, least_horizon = 24, most_horizon = 512;
+
+/// Looks into pairs of groups, of each group, and the substeps that cells are used for after more.
+constexpr unsigned most_looks = 12, crowd_lasts = 128;
+/// Substeps without a list after groups were found crowded: such particles fly about.
+constexpr int first_wait = 16;
 
 enum class Outcome { done, full, crowded };
 
@@ -244,6 +258,15 @@ bool pair_groups(const Team& team, const Simulation<T>& sim, const ParticleBuffe
   return part > 0.1;
 }
 
+/// Pairs of groups that hardly last are not worth their time.
+inline void note_restless(ContactState& state, uint64_t substep) {
+  state.restless = substep <= state.paired + 2 ? state.restless + 1 : 0;
+  if (state.restless < 4) return;
+  state.restless = 0;
+  state.crowded_until = substep + crowd_lasts;
+  state.wait = state.backoff = first_wait;
+}
+
 /// A substep whose contacts are looked for among groups, where any may be.
 template <class T, class Team>
 Outcome substep_with_groups(const Team& team, Simulation<T>& sim, const ParticleBuffers<T>& p,
@@ -273,7 +296,7 @@ Outcome substep_with_groups(const Team& team, Simulation<T>& sim, const Particle
   advance_before_contact(team, sim, p, step);
   const bool known = age.groups >= 0;
   if (team.leads()) {
-    c.state->used = 0;
+    c.state->used = c.state->looks = 0;
     c.state->most_pace = ordered(0.0);
     c.state->least_left = c.state->least_beyond = ordered(endless);
     c.state->most_drift = ordered(0.0);
@@ -287,6 +310,7 @@ Outcome substep_with_groups(const Team& team, Simulation<T>& sim, const Particle
     wanted = !(unordered(c.state->least_beyond) >= 0.0) ||
              age.substep >= c.state->paired + static_cast<uint64_t>(c.state->pair_horizon);
     team.for_each_block(1, AverageMotion<T>{sim, since});
+    if (wanted && team.leads()) note_restless(*c.state, age.substep);
     if (wanted) team.meet();
   } else if (team.leads()) {
     for (double& pace : c.state->pace) pace = 0.0;
@@ -297,6 +321,9 @@ Outcome substep_with_groups(const Team& team, Simulation<T>& sim, const Particle
   team.for_each_block(sim.blocks, WriteRows<T, GroupFinder<T>>{sim, GroupFinder<T>{p.x_out}});
   team.meet();
   if (!fits(c)) return Outcome::full;
+  // Where all are near many others, cells are cheaper.
+  const auto many = most_looks * static_cast<unsigned long long>(sim.blocks * groups_a_block);
+  if (team.leads() && c.state->looks > many) c.state->crowded_until = age.substep + crowd_lasts;
   age.groups = 0;
   respond_to_contact(team, sim, p, step, true, c.state->used > 0 ? Rows::touching : Rows::empty);
   return Outcome::done;
@@ -317,9 +344,11 @@ bool substep_with_contact(const Team& team, Simulation<T>& sim, const ParticleBu
       const int backoff = c.state->crowd_backoff;
       c.state->crowded_until = age.substep + 64u * static_cast<uint64_t>(backoff);
       c.state->crowd_backoff = backoff < 32 ? 2 * backoff : 64;
+      c.state->wait = c.state->backoff = first_wait;
     }
     team.meet();
   }
+  age.groups = -1;
   if (c.search == Search::complete && c.skin > 0.0 && c.state->wait == 0) {
     if (substep_with_list(team, sim, p, step, age)) return true;
     const bool full = !fits(c);

@@ -120,7 +120,7 @@ struct PairGroups {
       double room2[groups_a_block];
       meet(own, groups, first, margin, still, room2);
       for (int h = 0; h < groups_a_block; ++h) {
-        if (room2[h] >= endless) continue;
+        if (room2[h] >= nowhere) continue;
         const double room = square_root(room2[h]) - still;
         others[found] = first + h;
         left[found++] = room > 0.0 ? T(room * (1.0 - 1e-5)) : T(-endless);
@@ -158,7 +158,9 @@ struct PairGroups {
     double low[3], high[3], speed[3];
   };
 
-  /// Of the groups of a block: the square of how far their boxes are apart now; `endless` where
+  static constexpr double nowhere = 1e300;
+
+  /// Of the groups of a block: the square of how far their boxes are apart now; `nowhere` where
   /// they do not come near while all go on as expected.
   WEFT_HD void meet(const Moving& own, const ContactGroups<T>& groups, int first, double margin,
                     double distance, double (&room2)[groups_a_block]) const {
@@ -185,7 +187,7 @@ struct PairGroups {
       const double gap1 = larger(larger(above1, below1), 0.0);
       const double gap2 = larger(larger(above2, below2), 0.0);
       const double gap = (gap0 * gap0 + gap1 * gap1) + gap2 * gap2;
-      room2[h] = larger(larger(x, y), z) > reach ? endless : gap;
+      room2[h] = larger(larger(x, y), z) > reach ? nowhere : gap;
     });
   }
 };

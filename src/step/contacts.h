@@ -167,7 +167,7 @@ inline double budget_of(const ContactState& state, int since) {
 constexpr double pairs_last = 4, least_horizon = 24, most_horizon = 512;
 
 /// Looks into pairs of groups, of each group, and the substeps that cells are used for after more.
-constexpr unsigned most_looks = 12, crowd_lasts = 128;
+constexpr unsigned most_looks = 32, crowd_lasts = 128;
 /// Substeps without a list after groups were found crowded: such particles fly about.
 constexpr int first_wait = 16;
 
@@ -204,10 +204,10 @@ bool pair_groups(const Team& team, const Simulation<T>& sim, const ParticleBuffe
   return part > 0.1;
 }
 
-/// Pairs of groups that hardly last are not worth their time.
+/// Pairs of groups that last no substep are not worth their time.
 inline void note_restless(ContactState& state, uint64_t substep) {
-  state.restless = substep <= state.paired + 2 ? state.restless + 1 : 0;
-  if (state.restless < 4) return;
+  state.restless = substep <= state.paired + 1 ? state.restless + 1 : 0;
+  if (state.restless < 8) return;
   state.restless = 0;
   state.crowded_until = substep + crowd_lasts;
   state.wait = state.backoff = first_wait;

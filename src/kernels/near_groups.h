@@ -5,9 +5,10 @@
 // what the two may have come nearer, and is looked into when nothing is left. That never misses: a
 // particle of one and one of the other come nearer by no more than their motions differ.
 //
-// Pairs that are further apart than a margin are not kept. They are made anew, from boxes around
-// groups, around blocks and around 32 blocks, when a particle may have left its
-// margin. And while all have gone nearly the same way, nobody even asks for pairs.
+// Pairs that do not come near each other while both go on as they do, give or take a margin, are
+// not kept. They are made anew, from boxes around groups, blocks and 32 blocks, when a group has
+// left its margin, and keep what they had left. While all go nearly the same way, nobody even asks
+// for pairs.
 #pragma once
 
 #include "kernels/may_meet.h"
@@ -132,15 +133,16 @@ struct PairGroups {
     const auto taken =
         static_cast<int64_t>(atomic_take(&c.state->pairs, static_cast<unsigned long long>(padded)));
     if (taken + padded > half) return false;
-    const auto start = static_cast<int32_t>(taken + (c.state->lists % 2 != 0 ? half : 0));
-    int old = knows ? groups.pair_start[group] : 0;
-    const int end = knows ? old + groups.pair_count[group] : 0;
+    const int64_t start = taken + (c.state->lists % 2 != 0 ? half : 0);
+    int64_t old = knows ? groups.pair_start[group] : 0;
+    const int64_t end = knows ? old + groups.pair_count[group] : 0;
     for (int k = 0; k < padded; ++k) {
       const int other = k < found ? others[k] : group;
       T room = k < found ? left[k] : T(endless);
       uint64_t apart = nobody_asked;
       while (old < end && groups.other[old] < other) ++old;  // both go up, but for filling
-      if (old < end && k < found && groups.other[old] == other) {
+      const bool filling = old < end && groups.left[old] > T(0.5 * endless);
+      if (old < end && k < found && groups.other[old] == other && !filling) {
         room = groups.left[old];
         apart = groups.apart[old];
       }
@@ -204,16 +206,16 @@ struct GroupFinder {
   template <int G, class Emit>
   WEFT_HD void search(const Simulation<T>& sim, int i, int, int, Emit emit) const {
     const ContactGroups<T>& groups = sim.contacts.groups;
-    const int own = i / contact_group, start = groups.pair_start[own];
-    const int end = start + groups.pair_count[own];
+    const int own = i / contact_group;
+    const int64_t start = groups.pair_start[own], end = start + groups.pair_count[own];
     if constexpr (G == 1) {  // again, for one of them
-      for (int p = start; p < end; ++p) {
+      for (int64_t p = start; p < end; ++p) {
         if (!(groups.left[p] >= T(0))) look_from(sim, i, p, emit);
       }
     } else {
       T least = T(endless);
       int looks = 0;
-      for (int p = start; p < end; p += 8) {
+      for (int64_t p = start; p < end; p += 8) {
         T left[8];
         if (come_nearer(groups, own, p, left)) {
           for (int k = 0; k < 8; ++k) {
@@ -232,7 +234,8 @@ struct GroupFinder {
 
  private:
   /// Takes from eight pairs what their groups may have come nearer; whether any has nothing left.
-  WEFT_HD static bool come_nearer(const ContactGroups<T>& groups, int own, int p, T (&left)[8]) {
+  WEFT_HD static bool come_nearer(const ContactGroups<T>& groups, int own, int64_t p,
+                                  T (&left)[8]) {
     const T *mx = groups.motion[0], *my = groups.motion[1], *mz = groups.motion[2];
     const T* radius = groups.motion[3];
     const Vec3<T> way{mx[own], my[own], mz[own]};
@@ -251,7 +254,8 @@ struct GroupFinder {
 
   /// All particles of one with all of the other. Returns what is left.
   template <class Emit>
-  WEFT_HD_COLD T look_into(const Simulation<T>& sim, int own, int pair, const Emit& emit) const {
+  WEFT_HD_COLD T look_into(const Simulation<T>& sim, int own, int64_t pair,
+                           const Emit& emit) const {
     constexpr int G = contact_group;
     const Contacts<T>& c = sim.contacts;
     const int other = c.groups.other[pair];
@@ -301,7 +305,8 @@ struct GroupFinder {
 
   /// The same for one particle, where its group was looked into before.
   template <class Emit>
-  WEFT_HD_COLD void look_from(const Simulation<T>& sim, int i, int pair, const Emit& emit) const {
+  WEFT_HD_COLD void look_from(const Simulation<T>& sim, int i, int64_t pair,
+                              const Emit& emit) const {
     constexpr int G = contact_group;
     const Contacts<T>& c = sim.contacts;
     const int j0 = c.groups.other[pair] * G;

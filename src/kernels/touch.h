@@ -136,7 +136,7 @@ WEFT_HD void drop_filling(const Contacts<T>& c, int block) {
     const int l = k % block_size;
     alone[2 * n] = l;
     alone[2 * n + 1] = row[k];
-    n += row[k] != i0 + l ? 1 : 0;
+    n += ((row[k] != i0 + l) & (n < most_alone)) ? 1 : 0;
   }
   for (int k = 0; k < 2 * n; ++k) row[k] = alone[k];
 }

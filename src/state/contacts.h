@@ -82,7 +82,6 @@ enum class Waits : int32_t { listed, every, none };
 /// none left are looked into.
 constexpr int contact_group = 8;
 constexpr int groups_a_block = block_size / contact_group;
-constexpr int groups_a_super = 32 * groups_a_block;  ///< of 32 blocks
 
 template <class T>
 struct ContactGroups {
@@ -95,7 +94,7 @@ struct ContactGroups {
   double* path;    ///< m: by group, that it went from what was expected since pairs were made
   double* margin;  ///< m: by group, that it may go so
   double* usual;   ///< m: by group, that it went so in a substep
-  int32_t* pair_start;
+  int64_t* pair_start;
   int32_t* pair_count;  ///< by group, a multiple of 8: filled up with groups that never touch
   int32_t* other;       ///< by pair: group
   T* left;              ///< m: by pair; below zero: two may touch

@@ -66,7 +66,7 @@ struct PushApart {
     });
     if constexpr (N == block_size) {
       if (exact && is_sparse(c, block)) {
-        add_alone(push_of<true>(pairs, asleep, limit), block, push, brake, wakes);
+        add_alone(pairs, asleep, limit, block, push, brake, wakes);
         return give(block, i0, lanes, push, brake, wakes);
       }
     }
@@ -84,18 +84,30 @@ struct PushApart {
   }
 
   /// The same without filling (drop_filling).
-  template <class Of, int N>
-  WEFT_HD_COLD void add_alone(const Of& by, int block, LaneVec3<T, N>& push, LaneVec3<T, N>& brake,
-                              int32_t (&wakes)[N]) const {
-    const Of of = by;
+  template <class Pairs, int N>
+  WEFT_HD_COLD void add_alone(Pairs pairs, bool asleep, T limit, int block, LaneVec3<T, N>& push,
+                              LaneVec3<T, N>& brake, int32_t (&wakes)[N]) const {
+    const Push<Pairs, true> of = push_of<true>(pairs, asleep, limit);
     const int i0 = block * block_size;
-    each_alone(sim.contacts, block, [&](int l, int j) {
-      if (!of.touches(i0 + l, j)) return;
-      const PairPush<T> one = of(i0 + l, j);
-      push.set(l, push.get(l) + one.push);
-      brake.set(l, brake.get(l) + one.brake);
-      wakes[l] |= one.wakes;
-    });
+    const Contacts<T>& c = sim.contacts;
+    const int32_t* lane = c.entry + c.row_start[block];
+    for (int left = c.busy[block]; left > 0; left -= block_size, lane += 2 * block_size) {
+      const int32_t* other = lane + block_size;
+      LaneVec3<T, block_size> pushes, brakes;
+      int32_t woken[block_size];
+      Lanes<block_size>{}.each([&](int e) WEFT_LANE {
+        const PairPush<T> one = of(i0 + lane[e], other[e]);
+        pushes.set(e, one.push);
+        brakes.set(e, one.brake);
+        woken[e] = one.wakes;
+      });
+      for (int e = 0; e < smaller(left, block_size); ++e) {
+        const int l = lane[e];
+        push.set(l, push.get(l) + pushes.get(e));
+        brake.set(l, brake.get(l) + brakes.get(e));
+        wakes[l] |= woken[e];
+      }
+    }
   }
 
   template <int N>
@@ -117,9 +129,8 @@ struct PushApart {
   template <bool All, class Pairs>
   WEFT_HD auto push_of(const Pairs& pairs, bool asleep, T limit) const {
     const Contacts<T>& c = sim.contacts;
-    return Push<Pairs, All>{pairs,           c.rank, sim.inverse_mass, c.touching,    c.first,
-                            c.shift_of_form, p,      c.friction,       limit * limit, again == 0,
-                            asleep};
+    return Push<Pairs, All>{pairs, c.rank, sim.inverse_mass, c.touching, c.first, c.shift_of_form,
+                            p, c.friction, limit * limit, asleep ? T(0) : T(1), again == 0};
   }
 
   /// What particle j does to particle i. `All`: whether or not they touched at first.
@@ -131,13 +142,9 @@ struct PushApart {
     const int32_t* touching;
     Vec3Array<T> first_x, shift;
     ParticleBuffers<T> buffers;
-    T friction, limit2;
-    bool first, asleep;
+    T friction, limit2, awake;
+    bool first;
 
-    WEFT_HD bool touches(int i, int j) const {
-      const Pair<T> pair = pairs(i, j);
-      return dot(pair.apart, pair.apart) < pair.distance * pair.distance;
-    }
     WEFT_HD PairPush<T> operator()(int i, int j) const {
       const T tiny = sizeof(T) == 4 ? T(1e-34) : T(1e-290);
       const Pair<T> pair = pairs(i, j);
@@ -145,7 +152,7 @@ struct PushApart {
       const bool acting = All || first | touched(pairs, first_x, i, j);
       const bool touches = (length2 < pair.distance * pair.distance) & (j != i) & acting;
       const T m_i = inverse_mass[i], m_j = inverse_mass[j];  // read in any case: no branch
-      const T w_i = asleep ? T(0) : m_i, w_j = pair.asleep ? T(0) : m_j;
+      const T w_i = awake * m_i, w_j = pair.asleep ? T(0) : m_j;
       const T both = w_i + w_j;
       const int32_t count = touching[i] > touching[j] ? touching[i] : touching[j];
       const bool acts = touches & (both > T(0));

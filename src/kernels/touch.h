@@ -117,37 +117,34 @@ WEFT_HD bool touched(const Pairs& pairs, const Vec3Array<T>& first, int i, int j
   return dot(apart, apart) < distance * distance;
 }
 
-/// Whether few of the entries of a block's rows, of which all or some touch, are no filling. Then a
-/// host keeps these alone in their place: lane and other particle by turns, in the order of the
-/// rows.
-constexpr int most_alone = 4 * block_size;
+/// Whether a host keeps of a block's rows, of which all or some touch, what is no filling alone: in
+/// chunks of block_size entries, first their lanes and then the other particles, in the order of
+/// the rows and in their place.
+constexpr int most_alone = 8 * block_size;
 template <class T>
 WEFT_HD bool is_sparse(const Contacts<T>& c, int block) {
-  const int touching = c.busy[block];
-  return 4 * touching < block_size * c.row_width[block] && touching <= most_alone;
+  const int chunks = (c.busy[block] + block_size - 1) / block_size;
+  return 2 * chunks <= c.row_width[block] && chunks * block_size <= most_alone;
 }
 template <class T>
 WEFT_HD void drop_filling(const Contacts<T>& c, int block) {
   const int width = c.row_width[block], i0 = block * block_size;
   int32_t* row = c.entry + c.row_start[block];
-  int32_t alone[2 * most_alone + 2];  // with room for what is not kept
+  int32_t lane[most_alone + 1], other[most_alone + 1];  // with room for what is not kept
   int n = 0;
   for (int k = 0; k < width * block_size; ++k) {
-    const int l = k % block_size;
-    alone[2 * n] = l;
-    alone[2 * n + 1] = row[k];
-    n += ((row[k] != i0 + l) & (n < most_alone)) ? 1 : 0;
+    lane[n] = k % block_size;
+    other[n] = row[k];
+    n += ((row[k] != i0 + k % block_size) & (n < most_alone)) ? 1 : 0;
   }
-  for (int k = 0; k < 2 * n; ++k) row[k] = alone[k];
+  for (int first = 0; first < n; first += block_size, row += 2 * block_size) {
+    for (int l = 0; l < block_size; ++l) {
+      const bool is = first + l < n;
+      row[l] = is ? lane[first + l] : 0;
+      row[block_size + l] = is ? other[first + l] : i0;
+    }
+  }
 }
-/// Calls work(lane, other) for each of them.
-template <class T, class Work>
-WEFT_HD void each_alone(const Contacts<T>& c, int block, const Work& work) {
-  const int32_t* entry = c.entry + c.row_start[block];
-  const int n = c.busy[block];
-  for (int e = 0; e < n; ++e) work(entry[2 * e], entry[2 * e + 1]);
-}
-
 /// Counts the partners that touch. `Again`: in a repetition.
 /// `exact`: rows hold nothing but pairs that touched before the first pass.
 template <class T, bool Again>
@@ -205,10 +202,16 @@ struct CountTouching {
                                        int32_t (&count)[N]) {
     const Pairs pairs = by;
     const int i0 = block * block_size;
-    each_alone(c, block, [&](int l, int j) {
-      const Pair<T> pair = pairs(i0 + l, j);
-      count[l] += dot(pair.apart, pair.apart) < pair.distance * pair.distance ? 1 : 0;
-    });
+    const int32_t* lane = c.entry + c.row_start[block];
+    for (int left = c.busy[block]; left > 0; left -= block_size, lane += 2 * block_size) {
+      const int32_t* other = lane + block_size;
+      int32_t touches[block_size];
+      Lanes<block_size>{}.each([&](int e) WEFT_LANE {
+        const Pair<T> pair = pairs(i0 + lane[e], other[e]);
+        touches[e] = dot(pair.apart, pair.apart) < pair.distance * pair.distance ? 1 : 0;
+      });
+      for (int e = 0; e < smaller(left, block_size); ++e) count[lane[e]] += touches[e];
+    }
   }
 };
 

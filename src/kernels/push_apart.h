@@ -54,7 +54,7 @@ struct PushApart {
   template <class Pairs, int N>
   WEFT_HD void add_up(const Pairs& pairs, int block, int i0, int lane0, Lanes<N> lanes) const {
     const Contacts<T>& c = sim.contacts;
-    const int of_cloth = sim.block.cloth[block], width = c.row_width[block];
+    const int of_cloth = sim.block.cloth[block];
     const bool asleep = sim.activity[of_cloth].asleep != 0;
     const T limit = T(c.cloth[of_cloth].wake_speed) * dt;
     LaneVec3<T, N> push, brake;
@@ -70,7 +70,19 @@ struct PushApart {
         return give(block, i0, lanes, push, brake, wakes);
       }
     }
-    const Push<Pairs, false> of = push_of<false>(pairs, asleep, limit);
+    if (N == block_size && exact) {
+      add_rows(push_of<true>(pairs, asleep, limit), block, lane0, lanes, push, brake, wakes);
+    } else {
+      add_rows(push_of<false>(pairs, asleep, limit), block, lane0, lanes, push, brake, wakes);
+    }
+    give(block, i0, lanes, push, brake, wakes);
+  }
+
+  template <class Of, int N>
+  WEFT_HD void add_rows(Of of, int block, int lane0, Lanes<N> lanes, LaneVec3<T, N>& push,
+                        LaneVec3<T, N>& brake, int32_t (&wakes)[N]) const {
+    const Contacts<T>& c = sim.contacts;
+    const int i0 = block * block_size + lane0, width = c.row_width[block];
     const int32_t* row = c.entry + c.row_start[block] + lane0;
     for (int k = 0; k < width; ++k, row += block_size) {
       lanes.each([&](int l) WEFT_LANE {
@@ -80,7 +92,6 @@ struct PushApart {
         wakes[l] |= by.wakes;
       });
     }
-    give(block, i0, lanes, push, brake, wakes);
   }
 
   /// The same without filling (drop_filling).

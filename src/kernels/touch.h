@@ -61,6 +61,11 @@ struct Pair {
   bool asleep;    ///< the other's cloth
 };
 
+template <class T>
+WEFT_HD bool touch(const Pair<T>& pair) {
+  return dot(pair.apart, pair.apart) < pair.distance * pair.distance;
+}
+
 /// Pairs within one cloth: nothing is to be looked up.
 template <class T>
 struct OwnPairs {
@@ -167,13 +172,20 @@ struct CountTouching {
       if constexpr (Again && N == block_size) {
         if (exact && is_sparse(c, block)) return count_alone(c, pairs, block, count);
       }
+      if (!Again || exact) {
+        for (int k = 0; k < width; ++k, row += block_size) {
+          lanes.each([&](int l) WEFT_LANE {
+            const bool touches = touch(pairs(i0 + l, row[l]));
+            count[l] += (touches & (row[l] != i0 + l)) ? 1 : 0;
+          });
+        }
+        return;
+      }
       for (int k = 0; k < width; ++k, row += block_size) {
         lanes.each([&](int l) WEFT_LANE {
-          const int j = row[l];
-          const Pair<T> pair = pairs(i0 + l, j);
-          const bool touches = dot(pair.apart, pair.apart) < pair.distance * pair.distance;
-          const bool met = !Again || touched(pairs, first, i0 + l, j);
-          count[l] += (touches & met & (j != i0 + l)) ? 1 : 0;
+          const bool touches = touch(pairs(i0 + l, row[l]));
+          const bool met = touched(pairs, first, i0 + l, row[l]);
+          count[l] += (touches & met & (row[l] != i0 + l)) ? 1 : 0;
         });
       }
     });
@@ -207,8 +219,7 @@ struct CountTouching {
       const int32_t* other = lane + block_size;
       int32_t touches[block_size];
       Lanes<block_size>{}.each([&](int e) WEFT_LANE {
-        const Pair<T> pair = pairs(i0 + lane[e], other[e]);
-        touches[e] = dot(pair.apart, pair.apart) < pair.distance * pair.distance ? 1 : 0;
+        touches[e] = touch(pairs(i0 + lane[e], other[e])) ? 1 : 0;
       });
       for (int e = 0; e < smaller(left, block_size); ++e) count[lane[e]] += touches[e];
     }

@@ -16,10 +16,16 @@ WEFT_HD Vec3<T> direction_of_ranks(uint32_t a, uint32_t b) {
   return {axis == 0 ? sign : T(0), axis == 1 ? sign : T(0), axis == 2 ? sign : T(0)};
 }
 
+/// An overlap counts as the weight of what lies above as far as gravity moves a particle by in a
+/// substep, times this: in a heap of cloths the overlap of a layer is about as many of these moves
+/// as there are layers above it.
+constexpr int most_weights = 40;
+
 /// What one particle does to another.
 template <class T>
 struct PairPush {
   Vec3<T> push, brake;
+  T impulse;      ///< of the pair in this substep so far; below zero: the two did not touch
   int32_t wakes;  ///< 1: it would wake the other
 };
 
@@ -30,13 +36,14 @@ struct PushApart {
   Simulation<T> sim;
   ParticleBuffers<T> p;
   T dt;
-  int again;   ///< 1: a repetition
+  T weight;    ///< m: that gravity moves a particle by in a substep
+  bool again;  ///< a repetition
   bool exact;  ///< as in CountTouching
 
   template <int N>
   WEFT_HD void operator()(int block, int lane0, Lanes<N> lanes) const {
     const Contacts<T>& c = sim.contacts;
-    if (c.row_width[block] == 0 || (again != 0 && c.busy[block] == 0)) return;
+    if (c.row_width[block] == 0 || (again && c.busy[block] == 0)) return;
     const int i0 = block * block_size + lane0;
     const int32_t* touching = c.touching;
     if (!lanes.any([&](int l) WEFT_LANE { return touching[i0 + l] > 0; })) {
@@ -70,11 +77,7 @@ struct PushApart {
         return give(block, i0, lanes, push, brake, wakes);
       }
     }
-    if (N == block_size && exact) {
-      add_rows(push_of<true>(pairs, asleep, limit), block, lane0, lanes, push, brake, wakes);
-    } else {
-      add_rows(push_of<false>(pairs, asleep, limit), block, lane0, lanes, push, brake, wakes);
-    }
+    add_rows(push_of(pairs, asleep, limit), block, lane0, lanes, push, brake, wakes);
     give(block, i0, lanes, push, brake, wakes);
   }
 
@@ -84,13 +87,18 @@ struct PushApart {
     const Contacts<T>& c = sim.contacts;
     const int i0 = block * block_size + lane0, width = c.row_width[block];
     const int32_t* row = c.entry + c.row_start[block] + lane0;
-    for (int k = 0; k < width; ++k, row += block_size) {
+    T* impulse = c.impulse + c.row_start[block] + lane0;
+    for (int k = 0; k < width; ++k, row += block_size, impulse += block_size) {
+      T given[N];  // of its own: others read what it may lie next to
+      lanes.each([&](int l) WEFT_LANE { given[l] = impulse[l]; });
       lanes.each([&](int l) WEFT_LANE {
-        const PairPush<T> by = of(i0 + l, row[l]);
+        const PairPush<T> by = of(i0 + l, row[l], given[l]);
         push.set(l, push.get(l) + by.push);
         brake.set(l, brake.get(l) + by.brake);
+        given[l] = by.impulse;
         wakes[l] |= by.wakes;
       });
+      lanes.each([&](int l) WEFT_LANE { impulse[l] = given[l]; });
     }
   }
 
@@ -98,26 +106,33 @@ struct PushApart {
   template <class Pairs, int N>
   WEFT_HD_COLD void add_alone(Pairs pairs, bool asleep, T limit, int block, LaneVec3<T, N>& push,
                               LaneVec3<T, N>& brake, int32_t (&wakes)[N]) const {
-    const Push<Pairs, true> of = push_of<true>(pairs, asleep, limit);
+    const Push<Pairs> of = push_of(pairs, asleep, limit);
     const int i0 = block * block_size;
     const Contacts<T>& c = sim.contacts;
     const int32_t* lane = c.entry + c.row_start[block];
-    for (int left = c.busy[block]; left > 0; left -= block_size, lane += 2 * block_size) {
+    T* impulse = c.impulse + c.row_start[block];
+    for (int left = c.busy[block]; left > 0; left -= block_size) {
       const int32_t* other = lane + block_size;
       LaneVec3<T, block_size> pushes, brakes;
       int32_t woken[block_size];
+      T given[block_size];
+      for (int e = 0; e < block_size; ++e) given[e] = impulse[e];
       Lanes<block_size>{}.each([&](int e) WEFT_LANE {
-        const PairPush<T> one = of(i0 + lane[e], other[e]);
+        const PairPush<T> one = of(i0 + lane[e], other[e], given[e]);
         pushes.set(e, one.push);
         brakes.set(e, one.brake);
+        given[e] = one.impulse;
         woken[e] = one.wakes;
       });
+      for (int e = 0; e < block_size; ++e) impulse[e] = given[e];
       for (int e = 0; e < smaller(left, block_size); ++e) {
         const int l = lane[e];
         push.set(l, push.get(l) + pushes.get(e));
         brake.set(l, brake.get(l) + brakes.get(e));
         wakes[l] |= woken[e];
       }
+      lane += 2 * block_size;
+      impulse += block_size;
     }
   }
 
@@ -137,51 +152,63 @@ struct PushApart {
     }
   }
 
-  template <bool All, class Pairs>
+  template <class Pairs>
   WEFT_HD auto push_of(const Pairs& pairs, bool asleep, T limit) const {
     const Contacts<T>& c = sim.contacts;
-    return Push<Pairs, All>{pairs, c.rank, sim.inverse_mass, c.touching, c.first, c.shift_of_form,
-                            p, c.friction, limit * limit, asleep ? T(0) : T(1), again == 0};
+    return Push<Pairs>{pairs,
+                       c.rank,
+                       sim.inverse_mass,
+                       c.touching,
+                       c.shift_of_form,
+                       p,
+                       c.friction,
+                       limit * limit,
+                       again ? T(0) : T(most_weights) * weight,
+                       asleep ? T(0) : T(1)};
   }
 
-  /// What particle j does to particle i. `All`: whether or not they touched at first.
-  template <class Pairs, bool All>
+  /// What particle j does to particle i.
+  template <class Pairs>
   struct Push {
     Pairs pairs;
     const uint32_t* rank;
     const T* inverse_mass;
     const int32_t* touching;
-    Vec3Array<T> first_x, shift;
+    Vec3Array<T> shift;
     ParticleBuffers<T> buffers;
-    T friction, limit2, awake;
-    bool first;
+    T friction, limit2, most_carried, awake;
 
-    WEFT_HD PairPush<T> operator()(int i, int j) const {
+    WEFT_HD PairPush<T> operator()(int i, int j, T given) const {
       const T tiny = sizeof(T) == 4 ? T(1e-34) : T(1e-290);
       const Pair<T> pair = pairs(i, j);
       const T length2 = dot(pair.apart, pair.apart);
-      const bool acting = All || first | touched(pairs, first_x, i, j);
-      const bool touches = (length2 < pair.distance * pair.distance) & (j != i) & acting;
+      const bool touches = (length2 < pair.distance * pair.distance) & (j != i);
+      const bool met = given >= T(0);
       const T m_i = inverse_mass[i], m_j = inverse_mass[j];  // read in any case: no branch
       const T w_i = awake * m_i, w_j = pair.asleep ? T(0) : m_j;
       const T both = w_i + w_j;
       const int32_t count = touching[i] > touching[j] ? touching[i] : touching[j];
-      const bool acts = touches & (both > T(0));
-      const T share = acts ? w_i / (both * T(count > 0 ? count : 1)) : T(0);
+      const bool acts = met & (both > T(0));
+      const T scale = both * T(count > 0 ? count : 1);
+      const T part = acts ? T(1) / scale : T(0);
       const bool together = !(length2 > tiny);
       const T length = together ? T(0) : square_root(length2);
       const Vec3<T> n = select(together, direction_of_ranks<T>(rank[i], rank[j]),
                                (T(1) / (together ? T(1) : length)) * pair.apart);
       const Vec3<T> d_j = went(buffers, shift, j), slip = went(buffers, shift, i) - d_j;
-      const T across = dot(slip, n), against = larger(T(0), -across);
+      const T across = dot(slip, n), overlap = larger(T(0), pair.distance - length);
+      const T carried = smaller(overlap, most_carried);
+      const T now = larger(T(0), given + part * (carried - across));
       const Vec3<T> sliding = slip - across * n;
-      const T most = friction * against, sliding2 = dot(sliding, sliding);
+      const T most = friction * (scale * larger(T(0), now - given));
+      const T sliding2 = dot(sliding, sliding);
       const T held = sliding2 > most * most ? most / square_root(sliding2) : T(1);
-      const Vec3<T> drag = (most > T(0) ? -held : T(0)) * sliding;
+      const T share = w_i * part;
+      const Vec3<T> drag = (most > T(0) ? -held * share : T(0)) * sliding;
       const Vec3<T> none{T(0), T(0), T(0)};
       const bool fast = dot(d_j, d_j) > limit2;
-      return {select(acts, share * ((pair.distance - length) * n + drag), none),
-              select(acts, share * (against * n + drag), none),
+      return {select(acts, (share * overlap) * n + drag, none),
+              select(acts, (w_i * (now - given)) * n + drag, none), met ? now : T(-1),
               (touches & !pair.asleep & fast) ? 1 : 0};
     }
   };
@@ -203,13 +230,13 @@ template <class T, bool Position>
 struct ApplyPushes {
   Simulation<T> sim;
   ParticleBuffers<T> p;
-  int again;  ///< 1: a repetition
+  bool again;  ///< a repetition
 
   template <int N>
   WEFT_HD void operator()(int block, int lane0, Lanes<N> lanes) const {
     const Contacts<T>& c = sim.contacts;
     if (c.row_width[block] == 0 || sim.activity[sim.block.cloth[block]].asleep) return;
-    if (again != 0 && c.busy[block] == 0) return;
+    if (again && c.busy[block] == 0) return;
     const int i0 = block * block_size + lane0;
     const ParticleBuffers<T> buffers = p;
     const Vec3Array<T> pushes = c.push, brakes = c.brake, shift = c.shift_of_form;

@@ -3,12 +3,15 @@
 // its share of every pair, divided by the larger count of the two. So what one gets the other
 // gives, to the last bit but its own share's rounding, and a dense heap does not overshoot.
 //
-// Along the line of the two, n = (x_i - x_j)/|x_i - x_j|, the pair moves apart to its distance. Of
-// the displacements only the approach goes, so that an overlap gives no speed, and friction holds
-// what it can of the rest.
+// Along the line of the two, n = (x_i - x_j)/|x_i - x_j|, the pair moves apart to its distance. Its
+// displacements get an impulse that ends their approach, no more than it takes and never one that
+// pulls (projected Jacobi: each pair keeps what it has given, and takes back what was too much).
+// Friction holds what it can of the rest.
 //
-// One such pass hands a weight on by one layer of a heap. So they are repeated, where there is
-// anything to repeat: in the pairs that touched before the first, so that no list's age shows.
+// One such pass hands a weight on by one layer of a heap, so they are repeated, in the pairs that
+// touched before the first and by the counts of then: no list's age shows. What lies on a heap's
+// lower layers has pressed them into each other by then. So an overlap is where an impulse begins,
+// as far as it can be the weight of others (most_weights); of a deeper one nothing becomes speed.
 #pragma once
 
 #include "base/atomic_words.h"
@@ -114,14 +117,6 @@ WEFT_HD void with_pairs(const Simulation<T>& sim, Vec3Array<T> x, int block, Wor
   }
 }
 
-/// Whether a pair touched before anything was put apart in this substep.
-template <class T, class Pairs>
-WEFT_HD bool touched(const Pairs& pairs, const Vec3Array<T>& first, int i, int j) {
-  const Vec3<T> apart = pairs.between(j) + (load(first, i) - load(first, j));
-  const T distance = pairs.distance_to(j);
-  return dot(apart, apart) < distance * distance;
-}
-
 /// Whether a host keeps of a block's rows, of which all or some touch, what is no filling alone: in
 /// chunks of block_size entries, first their lanes and then the other particles, in the order of
 /// the rows and in their place.
@@ -142,17 +137,19 @@ WEFT_HD void drop_filling(const Contacts<T>& c, int block) {
     other[n] = row[k];
     n += ((row[k] != i0 + k % block_size) & (n < most_alone)) ? 1 : 0;
   }
+  T* impulse = c.impulse + c.row_start[block];
   for (int first = 0; first < n; first += block_size, row += 2 * block_size) {
     for (int l = 0; l < block_size; ++l) {
       const bool is = first + l < n;
+      impulse[first + l] = is ? T(0) : T(-1);
       row[l] = is ? lane[first + l] : 0;
       row[block_size + l] = is ? other[first + l] : i0;
     }
   }
 }
-/// Counts the partners that touch. `Again`: in a repetition.
-/// `exact`: rows hold nothing but pairs that touched before the first pass.
-template <class T, bool Again>
+/// Counts the partners that touch before anything is put apart.
+/// `exact`: rows hold nothing but such pairs.
+template <class T>
 struct CountTouching {
   Simulation<T> sim;
   Vec3Array<T> x;
@@ -162,31 +159,21 @@ struct CountTouching {
   WEFT_HD void operator()(int block, int lane0, Lanes<N> lanes) const {
     const Contacts<T>& c = sim.contacts;
     const int width = c.row_width[block];
-    if (width == 0 || (Again && c.busy[block] == 0)) return;
+    if (width == 0) return;
     const int i0 = block * block_size + lane0;
-    const Vec3Array<T> first = c.first;
     int32_t count[N], most[N];
     lanes.each([&](int l) WEFT_LANE { count[l] = 0; });
     with_pairs(sim, x, block, [&](auto pairs) {
       const int32_t* row = c.entry + c.row_start[block] + lane0;
-      if constexpr (Again && N == block_size) {
-        if (exact && is_sparse(c, block)) return count_alone(c, pairs, block, count);
-      }
-      if (!Again || exact) {
-        for (int k = 0; k < width; ++k, row += block_size) {
-          lanes.each([&](int l) WEFT_LANE {
-            const bool touches = touch(pairs(i0 + l, row[l]));
-            count[l] += (touches & (row[l] != i0 + l)) ? 1 : 0;
-          });
-        }
-        return;
-      }
-      for (int k = 0; k < width; ++k, row += block_size) {
+      T* impulse = c.impulse + c.row_start[block] + lane0;
+      for (int k = 0; k < width; ++k, row += block_size, impulse += block_size) {
+        T given[N];
         lanes.each([&](int l) WEFT_LANE {
-          const bool touches = touch(pairs(i0 + l, row[l]));
-          const bool met = touched(pairs, first, i0 + l, row[l]);
-          count[l] += (touches & met & (row[l] != i0 + l)) ? 1 : 0;
+          const bool touches = touch(pairs(i0 + l, row[l])) & (row[l] != i0 + l);
+          count[l] += touches ? 1 : 0;
+          given[l] = touches ? T(0) : T(-1);
         });
+        lanes.each([&](int l) WEFT_LANE { impulse[l] = given[l]; });
       }
     });
     int32_t* touching = c.touching;
@@ -194,35 +181,16 @@ struct CountTouching {
       touching[i0 + l] = count[l];
       most[l] = count[l];
     });
-    if constexpr (!Again) {
-      const int32_t all = sum_of_lanes(most, lanes);
-      if (lane0 == 0) c.busy[block] = all;
-      if constexpr (N == block_size) {
-        if (exact && is_sparse(c, block)) drop_filling(c, block);
-      }
-      const Vec3Array<T> now = x;
-      lanes.each([=](int l) WEFT_LANE { store(first, i0 + l, load(now, i0 + l)); });
-      if (c.shift_of_form.data == nullptr) return;
-      const Vec3Array<T> shift = c.shift_of_form;
-      lanes.each([=](int l) WEFT_LANE { store(shift, i0 + l, Vec3<T>{T(0), T(0), T(0)}); });
+    const int32_t all = sum_of_lanes(most, lanes);
+    if (lane0 == 0) c.busy[block] = all;
+    if constexpr (N == block_size) {
+      if (exact && is_sparse(c, block)) drop_filling(c, block);
     }
-  }
-
- private:
-  template <class Pairs, int N>
-  WEFT_HD_COLD static void count_alone(const Contacts<T>& c, const Pairs& by, int block,
-                                       int32_t (&count)[N]) {
-    const Pairs pairs = by;
-    const int i0 = block * block_size;
-    const int32_t* lane = c.entry + c.row_start[block];
-    for (int left = c.busy[block]; left > 0; left -= block_size, lane += 2 * block_size) {
-      const int32_t* other = lane + block_size;
-      int32_t touches[block_size];
-      Lanes<block_size>{}.each([&](int e) WEFT_LANE {
-        touches[e] = touch(pairs(i0 + lane[e], other[e])) ? 1 : 0;
-      });
-      for (int e = 0; e < smaller(left, block_size); ++e) count[lane[e]] += touches[e];
-    }
+    const Vec3Array<T> now = x, first = c.first;
+    lanes.each([=](int l) WEFT_LANE { store(first, i0 + l, load(now, i0 + l)); });
+    if (c.shift_of_form.data == nullptr) return;
+    const Vec3Array<T> shift = c.shift_of_form;
+    lanes.each([=](int l) WEFT_LANE { store(shift, i0 + l, Vec3<T>{T(0), T(0), T(0)}); });
   }
 };
 

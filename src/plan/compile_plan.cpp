@@ -223,8 +223,10 @@ void add_contact_passes(const WorldShape& world, uint64_t particles, Plan& plan)
     add("rows", "near_rows", 13 * s + 8 + entries, 24 * usual_candidates);
   }
   add("count", "count_touching", entries + 3 * s + 4, 9 * usual_partners);
-  add("push", "push_apart", entries + 13 * s + 8, 62 * usual_partners);
-  add("apply", "apply_pushes", (world.position_form ? 15 + 12 : 18) * s, 6);
+  const double moves = world.position_form ? 15 + 12 : 18;
+  add("push", "push_apart", contact_passes * (entries + 2 * s * usual_partners + 13 * s + 8),
+      contact_passes * 66 * usual_partners);
+  add("apply", "apply_pushes", contact_passes * moves * s, contact_passes * 6);
 }
 
 /// Passes over all particles, whatever their kind.

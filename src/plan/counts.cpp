@@ -93,6 +93,8 @@ int64_t first_list_entries(const WorldShape& world) {
   return particles > 0 ? std::max<int64_t>(4096, 2 * particles) : 0;
 }
 
+uint64_t list_entry_bytes(const WorldShape& world) { return sizeof(int32_t) + world.scalar(); }
+
 Counts counts_of(const WorldShape& world) {
   Counts n{};
   n.motions = 1;

@@ -25,6 +25,8 @@ Plan compile_plan(const WorldShape&);
 
 /// Entries that the list of near pairs has room for at first; it grows with the pairs.
 int64_t first_list_entries(const WorldShape&);
+/// Bytes of an entry: the other particle, and what the pair has given in a substep.
+uint64_t list_entry_bytes(const WorldShape&);
 
 const char* kernel_name(KernelKind);
 

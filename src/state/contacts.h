@@ -10,6 +10,10 @@
 
 namespace weft {
 
+/// How often particles in contact are put apart in a substep: each time hands what presses on them
+/// on by a layer.
+constexpr int contact_passes = 4;
+
 enum class Search : int32_t { none, complete, staggered };
 constexpr int most_grids = 64;
 
@@ -180,6 +184,8 @@ struct Contacts {
   int32_t* row_width;        ///< by block; 0: nothing near
   int32_t* row_foreign;      ///< by block: 1 where another cloth is near
   int32_t* entry;            ///< by ascending rank; memory of its own
+  T* impulse;                ///< kg m: by entry, what the pair has given each other's
+                             ///< displacement in a substep; below zero: the two do not touch
   int64_t capacity;          ///< entries that it has room for
   Vec3Array<T> from, drift;  ///< where each particle was, and went in a substep, at that time
   T* skin_of;                ///< m: how far it may be from where it would be so
@@ -239,7 +245,7 @@ struct Contacts {
     array.group(groups, n);
     array.later(search, grids, window, cell, shift, diagonal, skin, most_distance, most_stop,
                 most_drift, friction, with_excluded, by_groups, waits, age, still, budget, substep,
-                entry, capacity);
+                entry, impulse, capacity);
   }
 };
 

@@ -4,12 +4,12 @@
 //                            advance, all colliders wait | how groups move |
 //                            (boxes of groups, of blocks, of 32 blocks | pairs of groups)?  rarely
 //                            rows of the pairs of groups that have nothing left | where any touch
-//                            (count | push | apply) 4 times | colliders, in every block
+//                            count | (push | apply) 4 times | colliders, in every block
 //   substep with a list:     advance (who is not where the list expects it?)
-//                            (count | push | apply) 4 times | colliders, in the blocks of the list
+//                            count | (push | apply) 4 times | colliders, in the blocks of the list
 //   making a list:           bounds, cells | keys | sort | cells' ranges | rows
 //   substep without:         advance, all colliders wait | list of the new positions |
-//                            (count | push | apply) 4 times | colliders, in every block
+//                            count | (push | apply) 4 times | colliders, in every block
 //
 // Groups of particles (kernels/near_groups.h) do where they are compact; of particles that lie
 // about, too many of them are near each other, and cells find who is.
@@ -32,23 +32,15 @@
 namespace weft {
 namespace WEFT_BACKEND_NS {
 
-/// How often particles in contact are put apart in a substep: each time hands what presses on them
-/// on by a layer.
-constexpr int contact_passes = 4;
-
 template <bool Position, class T, class Team>
 void push_apart(const Team& team, const Simulation<T>& sim, const ParticleBuffers<T>& p,
                 const StepParams<T>& step, bool exact) {
+  const T weight = step.dt * step.dt * square_root(dot(step.gravity, step.gravity));
+  team.for_each_block(sim.blocks, CountTouching<T>{sim, p.x_out, exact});
   for (int pass = 0; pass < contact_passes; ++pass) {
-    const int again = pass > 0 ? 1 : 0;
-    if (again != 0) {
-      team.meet();
-      team.for_each_block(sim.blocks, CountTouching<T, true>{sim, p.x_out, exact});
-    } else {
-      team.for_each_block(sim.blocks, CountTouching<T, false>{sim, p.x_out, exact});
-    }
+    const bool again = pass > 0;
     team.meet();
-    team.for_each_block(sim.blocks, PushApart<T, Position>{sim, p, step.dt, again, exact});
+    team.for_each_block(sim.blocks, PushApart<T, Position>{sim, p, step.dt, weight, again, exact});
     team.meet();
     team.for_each_block(sim.blocks, ApplyPushes<T, Position>{sim, p, again});
   }

@@ -174,42 +174,47 @@ TEST_P(SelfCollisionPair, TouchesBelowTheDistanceOnly) {
 /// A heap in which each has several partners, unequal masses, pins, and another cloth with another
 /// distance among it.
 TEST_P(SelfCollisionPair, AHeapFollowsTheFormula) {
-  for (const double friction : {0.0, 0.6}) {
-    reference::SplitMix random(77);
-    std::vector<ContactParticle> all(300);
-    for (size_t i = 0; i < all.size(); ++i) {
-      ContactParticle& p = all[i];
-      p.x = random.noise(0.3);
-      if (precision == weft::Precision::float32) p.x = reference::through_float(p.x);
-      p.d = random.noise(0.01);
-      p.inverse_mass = i % 17 == 0 ? 0 : 0.5 + random.uniform();
-      if (p.inverse_mass == 0) p.d = {};
-      p.cloth = i % 3 == 0;
-      p.distance = p.cloth == 0 ? 0.1 : 0.06;
-      p.rest = {double(i), 0, 0};
+  for (const double friction : {0.0, 0.6})
+    for (const double gravity : {0.0, -8.0}) {
+      SCOPED_TRACE(gravity);
+      const Vec fall{0, gravity * dt * dt, 0};
+      const double carried = 40 * length(fall);
+      reference::SplitMix random(77);
+      std::vector<ContactParticle> all(300);
+      for (size_t i = 0; i < all.size(); ++i) {
+        ContactParticle& p = all[i];
+        p.x = random.noise(0.3);
+        if (precision == weft::Precision::float32) p.x = reference::through_float(p.x);
+        p.d = random.noise(0.01);
+        p.inverse_mass = i % 17 == 0 ? 0 : 0.5 + random.uniform();
+        if (p.inverse_mass == 0) p.d = {};
+        p.cloth = i % 3 == 0;
+        p.distance = p.cloth == 0 ? 0.1 : 0.06;
+        p.rest = {double(i), 0, 0};
+      }
+      TestWorld test(world({0, gravity, 0}));
+      test.check(test.world().set_self_collision(contact(0.1, friction)));
+      const weft::ClothId cloths[] = {add_contact_particles(test, all, 0),
+                                      add_contact_particles(test, all, 1)};
+      test.step(dt);
+      // Verlet begins with half of it.
+      reference::contact_step(all, friction, 0.5 * fall, carried);
+      size_t next[] = {0, 0};
+      const std::vector<Vec> x[] = {test.positions(cloths[0], 200), test.positions(cloths[1], 100)};
+      double worst = 0;
+      for (const ContactParticle& p : all)
+        worst = std::max(worst, length(x[p.cloth][next[p.cloth]++] - p.x));
+      EXPECT_LE(worst, 10 * rounding());
+      // And what they go on with: another substep.
+      test.step(dt);
+      reference::contact_step(all, friction, fall, carried);
+      const std::vector<Vec> y[] = {test.positions(cloths[0], 200), test.positions(cloths[1], 100)};
+      next[0] = next[1] = 0;
+      worst = 0;
+      for (const ContactParticle& p : all)
+        worst = std::max(worst, length(y[p.cloth][next[p.cloth]++] - p.x));
+      EXPECT_LE(worst, 100 * rounding());
     }
-    TestWorld test(world());
-    test.check(test.world().set_self_collision(contact(0.1, friction)));
-    const weft::ClothId cloths[] = {add_contact_particles(test, all, 0),
-                                    add_contact_particles(test, all, 1)};
-    test.step(dt);
-    reference::contact_step(all, friction);
-    size_t next[] = {0, 0};
-    const std::vector<Vec> x[] = {test.positions(cloths[0], 200), test.positions(cloths[1], 100)};
-    double worst = 0;
-    for (const ContactParticle& p : all)
-      worst = std::max(worst, length(x[p.cloth][next[p.cloth]++] - p.x));
-    EXPECT_LE(worst, 10 * rounding());
-    // And what they go on with: another substep.
-    test.step(dt);
-    reference::contact_step(all, friction);
-    const std::vector<Vec> y[] = {test.positions(cloths[0], 200), test.positions(cloths[1], 100)};
-    next[0] = next[1] = 0;
-    worst = 0;
-    for (const ContactParticle& p : all)
-      worst = std::max(worst, length(y[p.cloth][next[p.cloth]++] - p.x));
-    EXPECT_LE(worst, 100 * rounding());
-  }
 }
 
 /// Particles that soft springs crowd together, a thousand substeps long: the centre of mass goes on

@@ -31,52 +31,75 @@ inline bool touch(const ContactParticle& a, const ContactParticle& b) {
   return length(a.x - b.x) < r;
 }
 
-/// One pass over all pairs, each from the positions before it. A pair parts by its overlap and its
-/// relative displacement loses its approach, and what friction takes of the rest, by inverse
-/// masses and divided by the larger of the numbers of partners.
-/// Only pairs count that touched at the `first` positions too.
-inline void push_apart(std::vector<ContactParticle>& all, double friction,
-                       const std::vector<ContactParticle>& first) {
-  const size_t n = all.size();
-  std::vector<int> partners(n, 0);
-  const auto meet = [&](size_t i, size_t j) {
-    return touch(all[i], all[j]) && touch(first[i], first[j]);
-  };
-  for (size_t i = 0; i < n; ++i)
-    for (size_t j = 0; j < n; ++j) partners[i] += i != j && meet(i, j);
-  std::vector<Vec> moved(n), braked(n);
-  for (size_t i = 0; i < n; ++i)
-    for (size_t j = i + 1; j < n; ++j) {
-      const ContactParticle &a = all[i], &b = all[j];
-      const double w = a.inverse_mass + b.inverse_mass;
-      if (w == 0 || !meet(i, j)) continue;
-      const Vec line = b.x - a.x, closing = b.d - a.d;
-      const double gap = length(line);
-      const Vec along = (1 / gap) * line;
-      const double approach = std::max(0.0, -dot(closing, along));
-      const Vec slide = closing - dot(closing, along) * along;
-      const double speed = length(slide), held = std::min(speed, friction * approach);
-      const Vec drag = speed > 0 ? (held / speed) * slide : Vec{};
-      const double scale = 1 / (w * std::max(partners[i], partners[j]));
-      const Vec part = (contact_distance(a, b) - gap) * along - drag;
-      const Vec brake = approach * along - drag;
-      moved[i] -= scale * a.inverse_mass * part;
-      moved[j] += scale * b.inverse_mass * part;
-      braked[i] -= scale * a.inverse_mass * brake;
-      braked[j] += scale * b.inverse_mass * brake;
+/// The pairs that touch after the particles went their way: how many partners the busier of the
+/// two has, and what they have given each other's displacements, kg m.
+struct ContactPair {
+  size_t i, j;
+  int partners;
+  double impulse = 0;
+};
+inline std::vector<ContactPair> touching_pairs(const std::vector<ContactParticle>& all) {
+  std::vector<ContactPair> pairs;
+  std::vector<int> partners(all.size(), 0);
+  for (size_t i = 0; i < all.size(); ++i)
+    for (size_t j = i + 1; j < all.size(); ++j) {
+      if (!touch(all[i], all[j])) continue;
+      pairs.push_back({i, j, 0});
+      ++partners[i];
+      ++partners[j];
     }
-  for (size_t i = 0; i < n; ++i) {
+  for (ContactPair& pair : pairs) pair.partners = std::max(partners[pair.i], partners[pair.j]);
+  return pairs;
+}
+
+/// One pass over the pairs, each from the positions and displacements before it. A pair parts by
+/// its overlap, of which up to `carried` m become displacement too; its impulse ends its approach
+/// and never pulls; friction is limited by what the impulse has grown by. All by inverse masses
+/// and divided by the number of partners.
+inline void push_apart(std::vector<ContactParticle>& all, std::vector<ContactPair>& pairs,
+                       double friction, double carried) {
+  std::vector<Vec> moved(all.size()), braked(all.size());
+  for (ContactPair& pair : pairs) {
+    const ContactParticle &a = all[pair.i], &b = all[pair.j];
+    const double w = a.inverse_mass + b.inverse_mass;
+    if (w == 0) continue;
+    const Vec line = b.x - a.x, closing = b.d - a.d;
+    const double gap = length(line);
+    const Vec along = (1 / gap) * line;
+    const double overlap = std::max(0.0, contact_distance(a, b) - gap);
+    const double wanted = std::min(overlap, carried) - dot(closing, along);
+    const double scale = 1 / (w * pair.partners);
+    const double impulse = std::max(0.0, pair.impulse + scale * wanted);
+    const double grown = impulse - pair.impulse;
+    pair.impulse = impulse;
+    const Vec slide = closing - dot(closing, along) * along;
+    const double most = friction * std::max(0.0, grown), speed = length(slide);
+    const double held = std::min(scale * speed, most);
+    const Vec drag = speed > 0 ? (held / speed) * slide : Vec{};
+    const Vec part = scale * overlap * along - drag, brake = grown * along - drag;
+    moved[pair.i] -= a.inverse_mass * part;
+    moved[pair.j] += b.inverse_mass * part;
+    braked[pair.i] -= a.inverse_mass * brake;
+    braked[pair.j] += b.inverse_mass * brake;
+  }
+  for (size_t i = 0; i < all.size(); ++i) {
     all[i].x += moved[i];
     all[i].d += braked[i];
   }
 }
 
-/// A substep of particles that no force moves.
-inline void contact_step(std::vector<ContactParticle>& all, double friction) {
-  for (ContactParticle& p : all)
-    if (p.inverse_mass > 0) p.x += p.d;
-  const std::vector<ContactParticle> first = all;
-  for (int pass = 0; pass < 4; ++pass) push_apart(all, friction, first);
+/// A substep of particles that `fall` further in it than in the one before; overlaps of up to
+/// `carried` m count as the weight of others.
+inline void contact_step(std::vector<ContactParticle>& all, double friction, Vec fall = {},
+                         double carried = 0) {
+  for (ContactParticle& p : all) {
+    if (p.inverse_mass == 0) continue;
+    p.d += fall;
+    p.x += p.d;
+  }
+  std::vector<ContactPair> pairs = touching_pairs(all);
+  for (int pass = 0; pass < 4; ++pass)
+    push_apart(all, pairs, friction, pass == 0 ? carried : 0.0);
 }
 
 }  // namespace reference

@@ -95,11 +95,10 @@ Status ContactTables<T>::prepare(const ArenaInput& in, Simulation<T>& sim) {
   if (status != Status::ok) return status;
   if (!memory_.data()) {
     const auto entries = static_cast<size_t>(plan::first_list_entries(in.shape));
-    status = memory_.allocate(entries * sizeof(int32_t));
+    status = memory_.allocate(entries * entry_bytes);
     if (status != Status::ok) return status;
   }
-  c.entry = reinterpret_cast<int32_t*>(memory_.data());
-  c.capacity = static_cast<int64_t>(memory_.bytes() / sizeof(int32_t));
+  place_list(c);
   cloths_.resize(in.cloths.size());
   woken_.resize(in.cloths.size());
   return upload(in, sim);
@@ -143,13 +142,19 @@ template <class T>
 Status ContactTables<T>::grow(Simulation<T>& sim, const ContactState& state) {
   const auto entries = state.most + state.most / 4;
   DeviceMemory larger(context_);
-  const Status status = larger.allocate(static_cast<size_t>(entries) * sizeof(int32_t));
+  const Status status = larger.allocate(static_cast<size_t>(entries) * entry_bytes);
   if (status != Status::ok) return status;
   memory_.swap(larger);
   forget_list();
-  sim.contacts.entry = reinterpret_cast<int32_t*>(memory_.data());
-  sim.contacts.capacity = static_cast<int64_t>(entries);
+  place_list(sim.contacts);
   return status;
+}
+
+template <class T>
+void ContactTables<T>::place_list(Contacts<T>& c) const {
+  c.capacity = static_cast<int64_t>(memory_.bytes() / entry_bytes);
+  c.impulse = reinterpret_cast<T*>(memory_.data());
+  c.entry = reinterpret_cast<int32_t*>(c.impulse + c.capacity);
 }
 
 template <class T>

@@ -61,12 +61,15 @@ class ContactTables {
  private:
   Status read_state(const Simulation<T>&, ContactState&);
   Status grow(Simulation<T>&, const ContactState&);
+  void place_list(Contacts<T>&) const;
   bool lists_last(const Frame<T>& frame) const {
     const Contacts<T>& c = frame.sim.contacts;
     return c.search == Search::complete && c.skin > 0 && wait_ == 0 && !alone_;
   }
   void choose_shorter(const ContactState&);
   void choose_longer(const Frame<T>&, const ContactState&);
+
+  static constexpr size_t entry_bytes = sizeof(int32_t) + sizeof(T);
 
   ContextState& context_;
   const Backend& backend_;

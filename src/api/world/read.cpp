@@ -318,7 +318,8 @@ Result<PlanInfo> World::plan() noexcept {
     }
     info.evaluations = {impl_->evaluations.data(), impl_->evaluations.size()};
     info.bytes_state = plan::device_bytes(in.shape, impl_->context->backend->info().vector_stride);
-    const auto list = static_cast<uint64_t>(plan::first_list_entries(in.shape)) * sizeof(int32_t);
+    const uint64_t list = static_cast<uint64_t>(plan::first_list_entries(in.shape)) *
+                          plan::list_entry_bytes(in.shape);
     const uint64_t list_now = impl_->built && list > 0 ? impl_->arena->list_bytes() : 0;
     info.bytes_state += std::max(list, list_now);
     return Status::ok;

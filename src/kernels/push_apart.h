@@ -54,11 +54,16 @@ struct PushApart {
       });
       return;
     }
-    with_pairs(sim, p.x_out, block, [&](auto pairs) { add_up(pairs, block, i0, lane0, lanes); });
+    if (c.coincide[block] != 0) {
+      const ForeignPairs<T> pairs{sim, p.x_out, sim.block.cloth[block]};
+      return add_up<true>(pairs, block, i0, lane0, lanes);
+    }
+    with_pairs<N>(sim, p.x_out, block,
+                  [&](auto pairs) { add_up<false>(pairs, block, i0, lane0, lanes); });
   }
 
  private:
-  template <class Pairs, int N>
+  template <bool Coincide, class Pairs, int N>
   WEFT_HD void add_up(const Pairs& pairs, int block, int i0, int lane0, Lanes<N> lanes) const {
     const Contacts<T>& c = sim.contacts;
     const int of_cloth = sim.block.cloth[block];
@@ -73,11 +78,11 @@ struct PushApart {
     });
     if constexpr (N == block_size) {
       if (exact && is_sparse(c, block)) {
-        add_alone(pairs, asleep, limit, block, push, brake, wakes);
+        add_alone(push_of<Coincide>(pairs, asleep, limit), block, push, brake, wakes);
         return give(block, i0, lanes, push, brake, wakes);
       }
     }
-    add_rows(push_of(pairs, asleep, limit), block, lane0, lanes, push, brake, wakes);
+    add_rows(push_of<Coincide>(pairs, asleep, limit), block, lane0, lanes, push, brake, wakes);
     give(block, i0, lanes, push, brake, wakes);
   }
 
@@ -103,10 +108,10 @@ struct PushApart {
   }
 
   /// The same without filling (drop_filling).
-  template <class Pairs, int N>
-  WEFT_HD_COLD void add_alone(Pairs pairs, bool asleep, T limit, int block, LaneVec3<T, N>& push,
-                              LaneVec3<T, N>& brake, int32_t (&wakes)[N]) const {
-    const Push<Pairs> of = push_of(pairs, asleep, limit);
+  template <class Of, int N>
+  WEFT_HD_COLD void add_alone(Of by, int block, LaneVec3<T, N>& push, LaneVec3<T, N>& brake,
+                              int32_t (&wakes)[N]) const {
+    const Of of = by;
     const int i0 = block * block_size;
     const Contacts<T>& c = sim.contacts;
     const int32_t* lane = c.entry + c.row_start[block];
@@ -152,23 +157,23 @@ struct PushApart {
     }
   }
 
-  template <class Pairs>
+  template <bool Coincide, class Pairs>
   WEFT_HD auto push_of(const Pairs& pairs, bool asleep, T limit) const {
     const Contacts<T>& c = sim.contacts;
-    return Push<Pairs>{pairs,
-                       c.rank,
-                       sim.inverse_mass,
-                       c.touching,
-                       c.shift_of_form,
-                       p,
-                       c.friction,
-                       limit * limit,
-                       again ? T(0) : T(most_weights) * weight,
-                       asleep ? T(0) : T(1)};
+    return Push<Pairs, Coincide>{pairs,
+                                 c.rank,
+                                 sim.inverse_mass,
+                                 c.touching,
+                                 c.shift_of_form,
+                                 p,
+                                 c.friction,
+                                 limit * limit,
+                                 again ? T(0) : T(most_weights) * weight,
+                                 asleep ? T(0) : T(1)};
   }
 
-  /// What particle j does to particle i.
-  template <class Pairs>
+  /// What particle j does to particle i. `Coincide`: some may be at one place.
+  template <class Pairs, bool Coincide>
   struct Push {
     Pairs pairs;
     const uint32_t* rank;
@@ -179,7 +184,6 @@ struct PushApart {
     T friction, limit2, most_carried, awake;
 
     WEFT_HD PairPush<T> operator()(int i, int j, T given) const {
-      const T tiny = sizeof(T) == 4 ? T(1e-34) : T(1e-290);
       const Pair<T> pair = pairs(i, j);
       const T length2 = dot(pair.apart, pair.apart);
       const bool touches = (length2 < pair.distance * pair.distance) & (j != i);
@@ -191,10 +195,10 @@ struct PushApart {
       const bool acts = met & (both > T(0));
       const T scale = both * T(count > 0 ? count : 1);
       const T part = acts ? T(1) / scale : T(0);
-      const bool together = !(length2 > tiny);
+      const bool together = !(length2 > together_below<T>());
       const T length = together ? T(0) : square_root(length2);
-      const Vec3<T> n = select(together, direction_of_ranks<T>(rank[i], rank[j]),
-                               (T(1) / (together ? T(1) : length)) * pair.apart);
+      Vec3<T> n = (T(1) / (together ? T(1) : length)) * pair.apart;
+      if constexpr (Coincide) n = select(together, direction_of_ranks<T>(rank[i], rank[j]), n);
       const Vec3<T> d_j = went(buffers, shift, j), slip = went(buffers, shift, i) - d_j;
       const T across = dot(slip, n), overlap = larger(T(0), pair.distance - length);
       const T carried = smaller(overlap, most_carried);

@@ -64,6 +64,12 @@ struct Pair {
   bool asleep;    ///< the other's cloth
 };
 
+/// Squared, m^2: nearer than this a pair has no direction of its own.
+template <class T>
+WEFT_HD constexpr T together_below() {
+  return sizeof(T) == 4 ? T(1e-34) : T(1e-290);
+}
+
 template <class T>
 WEFT_HD bool touch(const Pair<T>& pair) {
   return dot(pair.apart, pair.apart) < pair.distance * pair.distance;
@@ -78,8 +84,6 @@ struct OwnPairs {
   WEFT_HD Pair<T> operator()(int i, int j) const {
     return {load(x, i) - load(x, j), distance, false};
   }
-  WEFT_HD Vec3<T> between(int) const { return {T(0), T(0), T(0)}; }
-  WEFT_HD T distance_to(int) const { return distance; }
 };
 /// And where another cloth is near, whose positions are relative to another origin.
 template <class T>
@@ -90,27 +94,66 @@ struct ForeignPairs {
 
   WEFT_HD Pair<T> operator()(int i, int j) const {
     const int other = sim.block.cloth[j / block_size];
-    return {(load(x, i) - load(x, j)) + between(j), distance_to(j),
+    const ContactCloth &a = sim.contacts.cloth[of_cloth], &b = sim.contacts.cloth[other];
+    const Vec3<T> between{T(a.origin[0] - b.origin[0]), T(a.origin[1] - b.origin[1]),
+                          T(a.origin[2] - b.origin[2])};
+    return {(load(x, i) - load(x, j)) + between, T(0.5 * (a.distance + b.distance)),
             sim.activity[other].asleep != 0};
   }
-  /// From the other's origin to this one's.
-  WEFT_HD Vec3<T> between(int j) const {
-    const ContactCloth& a = sim.contacts.cloth[of_cloth];
-    const ContactCloth& b = sim.contacts.cloth[sim.block.cloth[j / block_size]];
-    return {T(a.origin[0] - b.origin[0]), T(a.origin[1] - b.origin[1]),
-            T(a.origin[2] - b.origin[2])};
+};
+/// The same of a world of few cloths, looked up once for a block.
+constexpr int few_cloths = 128;
+template <class T>
+struct CloseCloths {
+  T between[3][few_cloths], distance[few_cloths];
+  int32_t asleep[few_cloths];
+
+  WEFT_HD CloseCloths(const Simulation<T>& sim, int of_cloth) {
+    const ContactCloth* cloths = sim.contacts.cloth;
+    const ContactCloth& own = cloths[of_cloth];
+    for (int k = 0; k < sim.contacts.cloths; ++k) {
+      for (int axis = 0; axis < 3; ++axis) {
+        between[axis][k] = T(own.origin[axis] - cloths[k].origin[axis]);
+      }
+      distance[k] = T(0.5 * (own.distance + cloths[k].distance));
+      asleep[k] = sim.activity[k].asleep;
+    }
   }
-  WEFT_HD T distance_to(int j) const {
-    const ContactCloth& a = sim.contacts.cloth[of_cloth];
-    return T(0.5 * (a.distance + sim.contacts.cloth[sim.block.cloth[j / block_size]].distance));
+};
+template <class T>
+struct CloseForeignPairs {
+  Vec3Array<T> x;
+  const int32_t* cloth_of_block;
+  const T *between_x, *between_y, *between_z, *distance;
+  const int32_t* asleep;
+
+  WEFT_HD CloseForeignPairs(const Simulation<T>& sim, Vec3Array<T> at, const CloseCloths<T>& all)
+      : x(at),
+        cloth_of_block(sim.block.cloth),
+        between_x(all.between[0]),
+        between_y(all.between[1]),
+        between_z(all.between[2]),
+        distance(all.distance),
+        asleep(all.asleep) {}
+
+  WEFT_HD Pair<T> operator()(int i, int j) const {
+    const int other = cloth_of_block[j / block_size];
+    const Vec3<T> between{between_x[other], between_y[other], between_z[other]};
+    return {(load(x, i) - load(x, j)) + between, distance[other], asleep[other] != 0};
   }
 };
 
-/// Calls work(pairs) with what is known of the pairs of a block.
-template <class T, class Work>
+/// Calls work(pairs) with what is known of the pairs of a block, to be used by N lanes at a time.
+template <int N, class T, class Work>
 WEFT_HD void with_pairs(const Simulation<T>& sim, Vec3Array<T> x, int block, Work work) {
   const int of_cloth = sim.block.cloth[block];
   if (sim.contacts.row_foreign[block] != 0) {
+    if constexpr (N == block_size) {
+      if (sim.contacts.cloths <= few_cloths) {
+        const CloseCloths<T> cloths(sim, of_cloth);
+        return work(CloseForeignPairs<T>(sim, x, cloths));
+      }
+    }
     work(ForeignPairs<T>{sim, x, of_cloth});
   } else {
     work(OwnPairs<T>{x, T(sim.contacts.cloth[of_cloth].distance)});
@@ -161,16 +204,19 @@ struct CountTouching {
     const int width = c.row_width[block];
     if (width == 0) return;
     const int i0 = block * block_size + lane0;
-    int32_t count[N], most[N];
-    lanes.each([&](int l) WEFT_LANE { count[l] = 0; });
-    with_pairs(sim, x, block, [&](auto pairs) {
+    int32_t count[N], most[N], coincide[N];
+    lanes.each([&](int l) WEFT_LANE { count[l] = coincide[l] = 0; });
+    with_pairs<N>(sim, x, block, [&](auto pairs) {
       const int32_t* row = c.entry + c.row_start[block] + lane0;
       T* impulse = c.impulse + c.row_start[block] + lane0;
       for (int k = 0; k < width; ++k, row += block_size, impulse += block_size) {
         T given[N];
         lanes.each([&](int l) WEFT_LANE {
-          const bool touches = touch(pairs(i0 + l, row[l])) & (row[l] != i0 + l);
+          const Pair<T> pair = pairs(i0 + l, row[l]);
+          const bool touches = touch(pair) & (row[l] != i0 + l);
+          const bool together = !(dot(pair.apart, pair.apart) > together_below<T>());
           count[l] += touches ? 1 : 0;
+          coincide[l] |= (touches & together) ? 1 : 0;
           given[l] = touches ? T(0) : T(-1);
         });
         lanes.each([&](int l) WEFT_LANE { impulse[l] = given[l]; });
@@ -182,7 +228,9 @@ struct CountTouching {
       most[l] = count[l];
     });
     const int32_t all = sum_of_lanes(most, lanes);
+    const int32_t any = sum_of_lanes(coincide, lanes);
     if (lane0 == 0) c.busy[block] = all;
+    if (lane0 == 0) c.coincide[block] = any;
     if constexpr (N == block_size) {
       if (exact && is_sparse(c, block)) drop_filling(c, block);
     }

@@ -161,6 +161,7 @@ struct Contacts {
   T budget;               ///< m: that a particle may go meanwhile from the average
   uint64_t substep;       ///< number of the one at hand
   const ContactCloth* cloth;
+  int32_t cloths;
   const uint32_t* rank;       ///< by particle: in the caller's order, over all cloths
   const double* rest;         ///< rest positions: x, y, z by turns
   unsigned long long* woken;  ///< by cloth: 1 when something fast touches the sleeper
@@ -198,7 +199,8 @@ struct Contacts {
   Vec3Array<T> shift_of_form;  ///< position form: of push, what must not become displacement
   Vec3Array<T> first;          ///< positions before any push of the substep, or when the groups
                                ///< were looked at
-  int32_t* busy;               ///< by block: 1 where anything touches there
+  int32_t* busy;               ///< by block: pairs that touch, of its particles
+  int32_t* coincide;           ///< of them, those at one place before any push
   ContactGroups<T> groups;
 
   template <class Arrays>
@@ -214,6 +216,7 @@ struct Contacts {
     array(woken, particles > 0 ? n.cloths : 0);
     array(box, blocks);
     array(zone, lists ? contact_zones : 0);
+    array.number(cloths, n.cloths);
     array.number(key_bits, n.key_bits);
     array.number(entries_a_grid, sorted);
     array(key, n.contact_grids * sorted);
@@ -242,6 +245,7 @@ struct Contacts {
     array(shift_of_form, n.position_form ? particles : 0);
     array(first, particles);
     array(busy, blocks);
+    array(coincide, blocks);
     array.group(groups, n);
     array.later(search, grids, window, cell, shift, diagonal, skin, most_distance, most_stop,
                 most_drift, friction, with_excluded, by_groups, waits, age, still, budget, substep,

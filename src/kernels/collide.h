@@ -228,7 +228,7 @@ struct CollideStage {
     });
     if (!any) return false;
     const MeshResponse<T, Position, Placement, N> response{
-        sim.inverse_mass, p, mesh.rotation, mesh.surface.friction, before, now};
+        sim.inverse_mass, p, mesh.rotation, mesh.surface.friction, before, now, pushed()};
     lanes.each([&](int l) WEFT_LANE { response(l, i0 + l, wanted); });
     return true;
   }
@@ -254,6 +254,8 @@ struct CollideStage {
     return true;
   }
 
+  WEFT_HD T pushed() const { return sim.contacts.state != nullptr ? T(1) : T(0); }
+
   /// Moves the free particles of a block out of a collider. A function of its own on the host: most
   /// blocks touch nothing.
   template <class Shape, class Placement, int N>
@@ -268,8 +270,8 @@ struct CollideStage {
   template <bool Position, class Shape, class Placement, int N>
   WEFT_HD void respond_as(const Shape& shape, const Placement& before, const Placement& now, int i0,
                           Lanes<N> lanes) const {
-    const Contact<T, Position, Shape, Placement> contact{sim.inverse_mass, p,   shape,
-                                                         before,           now, step.ratio};
+    const Contact<T, Position, Shape, Placement> contact{
+        sim.inverse_mass, p, shape, before, now, step.ratio, pushed()};
     if constexpr (Position) {
       lanes.each([&](int l) WEFT_LANE { contact.take_back_throw(i0 + l); });
     }

@@ -33,6 +33,13 @@ struct Concern {
   }
 };
 
+/// How far along -normal other particles have pushed one since it went its displacement d, but for
+/// rounding. `pushed`: 1 where any may have, else 0.
+template <class T>
+WEFT_HD T pushed_into(T pushed, Vec3<T> x0, Vec3<T> x, Vec3<T> d, Vec3<T> normal) {
+  return pushed * larger(T(0), -dot((x - x0) - d, normal) - rounding_of(x));
+}
+
 /// `Position`: the displacement is kept as the previous position.
 template <class T, bool Position, class Shape, class Placement>
 struct Contact {
@@ -40,7 +47,8 @@ struct Contact {
   ParticleBuffers<T> p;
   Shape shape;
   Placement before, now;
-  T ratio;  ///< of this substep's length and the last one's
+  T ratio;   ///< of this substep's length and the last one's
+  T pushed;  ///< 1: other particles may have pushed these (pushed_into)
 
   WEFT_HD Vec3<T> way(int i) const {
     return at_start(now, load(p.x_out, i)) - at_start(before, load(p.x_in, i));
@@ -85,8 +93,8 @@ struct Contact {
   /// only what it came in with (hard case 46).
   ///
   /// The displacement takes the same correction as the position, not the difference of positions:
-  /// that would round away what the summed form keeps. In the position form it follows from the
-  /// positions.
+  /// that would round away what the summed form keeps. Nor does it take back what other particles
+  /// have pushed in: that was none of its own. In the position form it follows from the positions.
   WEFT_HD void push_out(int i) const {
     const Vec3<T> x0 = load(p.x_in, i), along = carried(before, now, x0);
     const WayOut<T> start = way_out(shape, at_start(before, x0));
@@ -110,7 +118,8 @@ struct Contact {
     const T per_depth = T(1) / (held_back ? T(1) : cosine);
     const Vec3<T> d = displacement_of(i, x), slip = d - along;
     const T across = dot(slip, normal);
-    const T made = per_depth * larger(T(0), depth - before_depth);  // in this substep
+    const T by_others = Position ? T(0) : pushed_into(pushed, x0, x, d, normal);
+    const T made = per_depth * larger(T(0), depth - before_depth - by_others);  // in this substep
     const T moved = held_back ? stopped_displacement(depth, across) : made;
     const T most = shape.surface.friction * moved;
     const Vec3<T> sliding = slip - across * normal;

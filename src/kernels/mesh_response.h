@@ -77,6 +77,7 @@ struct MeshResponse {
   Mat3<T> rotation;
   T friction;
   Placement before, now;
+  T pushed;  ///< as in Contact
 
   /// Along the normal where the substep began, as Contact::push_out; along that where it ended if
   /// the two are not known to go together. No such push may add to the kinetic energy: a mesh need
@@ -94,7 +95,8 @@ struct MeshResponse {
     const T cosine = T(1) - T(0.5) * magnitude2(bend);
     const T depth = dot(whole, end), start_depth = wanted.start_depth[l];
     const T per_depth = T(1) / (cosine < T(0.5) ? T(1) : cosine);
-    const T made = per_depth * larger(T(0), depth - larger(T(0), start_depth));
+    const T by_others = Position ? T(0) : pushed_into(pushed, x0, x, d, start_now);
+    const T made = per_depth * larger(T(0), depth - larger(T(0), start_depth) - by_others);
     const bool adds = made > T(-2) * dot(slip, start_now);
     const bool flat = !(magnitude2(bend) > T(0));
     const bool slid = wanted.hit[l] > T(2);

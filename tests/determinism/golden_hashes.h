@@ -139,9 +139,9 @@ inline constexpr EffectHashes effect_hashes[] = {
     {"collider_layers",
      {0xd826645028999e1d, 0x266b847618f08f51, 0x14d51e3b938bdf87, 0xcb008e53ab302155}},
     {"self_collision",
-     {0x3b69a66c17fbe785, 0x7a076496b7c176f4, 0xdd0b0c78700bc07d, 0xb0a6c05ba5d762cd}},
+     {0x60d31761775754e8, 0x271e100c1c8fe828, 0xdfc55cf9c43de43d, 0xdc64e01eab6466d8}},
     {"staggered_grids",
-     {0x3b69a66c17fbe785, 0x7a076496b7c176f4, 0xdd0b0c78700bc07d, 0xb0a6c05ba5d762cd}},
+     {0x60d31761775754e8, 0x271e100c1c8fe828, 0xdfc55cf9c43de43d, 0xdc64e01eab6466d8}},
 };
 
 }  // namespace weft_tests

@@ -57,6 +57,35 @@ TEST_P(SelfCollisionVelocity, WhatRestsOnAClothHasNone) {
     }
 }
 
+/// Ten particles one above the other on the ground: what presses on the lowest is ten times what
+/// presses on the highest. They stand still, and are said to. A computation of the formula along a
+/// line has them at 0.918 of their distances and says 0.078 m/s. (Without overlaps that begin an
+/// impulse it has 0.45 of them and 0.45 m/s.)
+TEST_P(SelfCollisionVelocity, AColumnRests) {
+  const double distance = 0.008;
+  const uint32_t count = 10;
+  TestWorld test(world({0, -9.81, 0}, 18));
+  let_meet(test, distance, 0.3);
+  add_body(test, Body::plane, {}, 1);
+  NetworkParts parts;
+  for (uint32_t i = 0; i < count; ++i) {
+    parts.positions.push_back({double(i), 0, 0});  // none is excluded
+    parts.start.push_back({0.1, i * distance, -0.2});
+    parts.masses.push_back(1e-3);
+  }
+  const weft::ClothId column = add_network(test, parts);
+  test.step(dt, 120);
+  const std::vector<Vec> x = test.positions(column, count), v = test.velocities(column, count);
+  test.step(dt, 60);
+  const std::vector<Vec> later = test.positions(column, count);
+  for (uint32_t i = 0; i < count; ++i) {
+    const double gap = i > 0 ? length(x[i] - x[i - 1]) : distance;
+    EXPECT_GE(gap, 0.915 * distance) << i;
+    EXPECT_LE(length(v[i]), 0.08) << i;
+    EXPECT_LE(length(later[i] - x[i]), 1e-4) << i;
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Every, SelfCollisionVelocity,
                          testing::Combine(both_precisions(), testing::Values(weft::Form::summed,
                                                                              weft::Form::position)),

@@ -139,9 +139,9 @@ inline constexpr EffectHashes effect_hashes[] = {
     {"collider_layers",
      {0xd826645028999e1d, 0x266b847618f08f51, 0x14d51e3b938bdf87, 0xcb008e53ab302155}},
     {"self_collision",
-     {0x60d31761775754e8, 0x271e100c1c8fe828, 0xdfc55cf9c43de43d, 0xdc64e01eab6466d8}},
+     {0x9a37129ce8ffabf9, 0x803d48491d8054ed, 0xfcdd13ecb9d6c5a3, 0xceb2d7e7b8ffaac4}},
     {"staggered_grids",
-     {0x60d31761775754e8, 0x271e100c1c8fe828, 0xdfc55cf9c43de43d, 0xdc64e01eab6466d8}},
+     {0x9a37129ce8ffabf9, 0x803d48491d8054ed, 0xfcdd13ecb9d6c5a3, 0xceb2d7e7b8ffaac4}},
 };
 
 }  // namespace weft_tests

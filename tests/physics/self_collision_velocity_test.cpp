@@ -59,7 +59,7 @@ TEST_P(SelfCollisionVelocity, WhatRestsOnAClothHasNone) {
 
 /// Ten particles one above the other on the ground: what presses on the lowest is ten times what
 /// presses on the highest. They stand still, and are said to. A computation of the formula along a
-/// line has them at 0.918 of their distances and says 0.078 m/s. (Without overlaps that begin an
+/// line has them at 0.977 of their distances and says 0.041 m/s. (Without overlaps that begin an
 /// impulse it has 0.45 of them and 0.45 m/s.)
 TEST_P(SelfCollisionVelocity, AColumnRests) {
   const double distance = 0.008;
@@ -80,8 +80,8 @@ TEST_P(SelfCollisionVelocity, AColumnRests) {
   const std::vector<Vec> later = test.positions(column, count);
   for (uint32_t i = 0; i < count; ++i) {
     const double gap = i > 0 ? length(x[i] - x[i - 1]) : distance;
-    EXPECT_GE(gap, 0.915 * distance) << i;
-    EXPECT_LE(length(v[i]), 0.08) << i;
+    EXPECT_GE(gap, 0.97 * distance) << i;
+    EXPECT_LE(length(v[i]), 0.05) << i;
     EXPECT_LE(length(later[i] - x[i]), 1e-4) << i;
   }
 }

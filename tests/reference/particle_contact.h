@@ -53,9 +53,9 @@ inline std::vector<ContactPair> touching_pairs(const std::vector<ContactParticle
 }
 
 /// One pass over the pairs, each from the positions and displacements before it. A pair parts by
-/// its overlap, of which up to `carried` m become displacement too; its impulse ends its approach
-/// and never pulls; friction is limited by what the impulse has grown by. All by inverse masses
-/// and divided by the number of partners.
+/// its overlap, of which four times up to `carried` m become displacement too; its impulse ends its
+/// approach and never pulls; friction is limited by a quarter of it. All by inverse masses and
+/// divided by the number of partners.
 inline void push_apart(std::vector<ContactParticle>& all, std::vector<ContactPair>& pairs,
                        double friction, double carried) {
   std::vector<Vec> moved(all.size()), braked(all.size());
@@ -67,13 +67,13 @@ inline void push_apart(std::vector<ContactParticle>& all, std::vector<ContactPai
     const double gap = length(line);
     const Vec along = (1 / gap) * line;
     const double overlap = std::max(0.0, contact_distance(a, b) - gap);
-    const double wanted = std::min(overlap, carried) - dot(closing, along);
+    const double wanted = 4 * std::min(overlap, carried) - dot(closing, along);
     const double scale = 1 / (w * pair.partners);
     const double impulse = std::max(0.0, pair.impulse + scale * wanted);
     const double grown = impulse - pair.impulse;
     pair.impulse = impulse;
     const Vec slide = closing - dot(closing, along) * along;
-    const double most = friction * std::max(0.0, grown), speed = length(slide);
+    const double most = friction / 4 * impulse, speed = length(slide);
     const double held = std::min(scale * speed, most);
     const Vec drag = speed > 0 ? (held / speed) * slide : Vec{};
     const Vec part = scale * overlap * along - drag, brake = grown * along - drag;
@@ -98,8 +98,7 @@ inline void contact_step(std::vector<ContactParticle>& all, double friction, Vec
     p.x += p.d;
   }
   std::vector<ContactPair> pairs = touching_pairs(all);
-  for (int pass = 0; pass < 4; ++pass)
-    push_apart(all, pairs, friction, pass == 0 ? carried : 0.0);
+  for (int pass = 0; pass < 4; ++pass) push_apart(all, pairs, friction, pass == 0 ? carried : 0.0);
 }
 
 }  // namespace reference

@@ -23,8 +23,9 @@ enum class GridShifts : uint8_t {
 /// collision_layers). A pair of one cloth whose rest shape has them nearer than `distance` is left
 /// out: springs and contact would fight (World::contacts counts these). Touching particles part
 /// along their line, shared by their inverse masses; the approach of their displacements is
-/// removed, and Coulomb friction holds the rest. Momentum stays, and an overlap gives no speed.
-/// Four times in a substep where anything touches.
+/// removed, and Coulomb friction holds the rest, four times in a substep where anything touches.
+/// Momentum stays. An overlap gives no speed but what the weight of a heap may need (at most 160
+/// times what gravity adds in a substep); of that the passes take back what nothing presses on.
 struct SelfCollisionDesc {
   PairSearch search = PairSearch::complete;
   double distance = 0.01;  ///< m, > 0; ClothSettings::collision_distance says otherwise of a cloth

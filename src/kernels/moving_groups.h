@@ -66,7 +66,7 @@ struct MoveGroups {
       });
     }
     bound_groups(around, nearest, radius);
-    double beyond = endless, pace = 0.0, drift = 0.0;
+    double beyond = endless, ahead = endless, pace = 0.0;
     for (int g = 0; g < groups_a_block; ++g) {
       const int at = block * groups_a_block + g;
       const double spread = static_cast<double>(square_root(radius[g]));
@@ -84,12 +84,13 @@ struct MoveGroups {
       c.groups.usual[at] = went / since;
       beyond = smaller(c.groups.margin[at] - c.groups.path[at], beyond);
       pace = larger(odd + spread, pace);
-      drift = larger(unexpected + odd, drift);
+      const double onward = static_cast<double>(c.onward) * unexpected;
+      ahead = smaller(c.groups.margin[at] - c.groups.path[at] - onward, ahead);
       if (!(c.groups.path[at] >= 0.0)) beyond = -endless;  // not a number
     }
     atomic_least(&c.state->least_beyond, ordered(beyond));
     atomic_most(&c.state->most_pace, ordered(pace / since));
-    atomic_most(&c.state->most_drift, ordered(drift / since));
+    atomic_least(&c.state->least_ahead, ordered(ahead));
   }
 
  private:
@@ -132,13 +133,12 @@ struct BoxGroups {
     bound_groups(most.x, other.low[0], of.high[0]);
     bound_groups(most.y, other.low[1], of.high[1]);
     bound_groups(most.z, other.low[2], of.high[2]);
-    double all[6], beyond = endless, drift2 = 0.0;
+    double all[6], beyond = endless;
     for (int g = 0; g < groups_a_block; ++g) {
       const int at = block * groups_a_block + g;
       const double margin = margin_of(at);
       double speed[3];
       expect(at, i0 + g * contact_group, speed);
-      double from_pace2 = 0.0;
       for (int axis = 0; axis < 3; ++axis) {
         const double origin = c.cloth[of_cloth].origin[axis];
         const double at_low = in_world(of.low[axis][g], origin);
@@ -151,9 +151,7 @@ struct BoxGroups {
         const double high = at_high + margin + larger(horizon * off, 0.0);
         all[axis] = g == 0 ? low : smaller(all[axis], low);
         all[3 + axis] = g == 0 ? high : larger(all[3 + axis], high);
-        from_pace2 += off * off;
       }
-      drift2 = larger(drift2, from_pace2);
       if (since == 0) {
         for (int k = 0; k < 4; ++k) groups.motion[k][at] = T(0);
       }
@@ -163,7 +161,7 @@ struct BoxGroups {
     }
     for (int k = 0; k < 6; ++k) groups.block_box[6 * block + k] = all[k];
     atomic_least(&c.state->least_beyond, ordered(beyond));
-    atomic_most(&c.state->most_drift, ordered(square_root(drift2)));
+    atomic_least(&c.state->least_ahead, ordered(beyond));
   }
 
  private:
@@ -227,7 +225,6 @@ struct AverageMotion {
   WEFT_HD void operator()(int, int, Lanes<N>) const {
     ContactState& state = *sim.contacts.state;
     const int groups = sim.blocks * groups_a_block;
-    double change = 0.0;
     for (int axis = 0; axis < 3; ++axis) {
       const T* motion = sim.contacts.groups.motion[axis];
       double sum = 0.0;
@@ -235,10 +232,8 @@ struct AverageMotion {
       for (int g = 0; g < groups; g += 5, ++count) sum += static_cast<double>(motion[g]);
       const double mean = sum / (double(count) * since);
       const double now = mean - mean == 0.0 ? mean : 0.0;
-      change += larger(now - state.pace[axis], state.pace[axis] - now);
       state.pace[axis] = now;
     }
-    state.pace_change = change;
   }
 };
 

@@ -216,15 +216,16 @@ struct GroupFinder {
       T least = T(endless);
       int looks = 0;
       for (int64_t p = start; p < end; p += 8) {
-        T left[8];
-        if (come_nearer(groups, own, p, left)) {
+        T left[8], later[8];
+        if (come_nearer(groups, own, p, left, later)) {
           for (int k = 0; k < 8; ++k) {
             if (left[k] >= T(0)) continue;
             left[k] = groups.left[p + k] = look_into(sim, own, p + k, emit);
             ++looks;
           }
         }
-        for (int k = 0; k < 8; ++k) least = smaller(left[k], least);
+        const T onward = sim.contacts.onward;
+        for (int k = 0; k < 8; ++k) least = smaller(left[k] - onward * later[k], least);
       }
       if (looks > few_looks)
         atomic_sum(&sim.contacts.state->looks, static_cast<unsigned long long>(looks));
@@ -234,8 +235,9 @@ struct GroupFinder {
 
  private:
   /// Takes from eight pairs what their groups may have come nearer; whether any has nothing left.
-  WEFT_HD static bool come_nearer(const ContactGroups<T>& groups, int own, int64_t p,
-                                  T (&left)[8]) {
+  /// `apart`: what their motions differ by.
+  WEFT_HD static bool come_nearer(const ContactGroups<T>& groups, int own, int64_t p, T (&left)[8],
+                                  T (&apart)[8]) {
     const T *mx = groups.motion[0], *my = groups.motion[1], *mz = groups.motion[2];
     const T* radius = groups.motion[3];
     const Vec3<T> way{mx[own], my[own], mz[own]};
@@ -245,7 +247,8 @@ struct GroupFinder {
     Lanes<8>{}.each([&](int k) WEFT_LANE {
       const int o = others[k];
       const Vec3<T> off = Vec3<T>{mx[o], my[o], mz[o]} - way;
-      const T nearer = square_root(dot(off, off)) + (own_radius + radius[o]);
+      apart[k] = square_root(dot(off, off));
+      const T nearer = apart[k] + (own_radius + radius[o]);
       left[k] = lefts[k] - T(1.00001) * nearer;
       lefts[k] = left[k];
     });

@@ -41,17 +41,21 @@ WEFT_HD_COLD bool has_outrun(const Contacts<T>& c, Vec3Array<T> x, int end, int 
   });
 }
 
-/// Whether any particle of the block has gone further than its budget from the average of all since
-/// the groups were looked at.
+/// Whether any particle of the block has gone further than its budget from where it would be if its
+/// group went on as before it was looked at.
 template <class T, int N>
 WEFT_HD_COLD bool has_strayed(const Contacts<T>& c, Vec3Array<T> x, int end, int i0,
                               Lanes<N> lanes) {
   const Vec3Array<T> first = c.first;
-  const double* pace = c.state->pace;
-  const Vec3<T> usual = c.still * Vec3<T>{T(pace[0]), T(pace[1]), T(pace[2])};
-  const T most = c.budget * c.budget;
-  return lanes.any([=](int l) WEFT_LANE {
-    const Vec3<T> off = (load(x, i0 + l) - load(first, i0 + l)) - usual;
+  const T still = c.still, most = c.budget * c.budget;
+  const T *mx = c.groups.motion[0], *my = c.groups.motion[1], *mz = c.groups.motion[2];
+  LaneVec3<T, N> usual;
+  for (int l = 0; l < N; ++l) {
+    const int g = (i0 + l) / contact_group;
+    usual.set(l, still * Vec3<T>{mx[g], my[g], mz[g]});
+  }
+  return lanes.any([&](int l) WEFT_LANE {
+    const Vec3<T> off = (load(x, i0 + l) - load(first, i0 + l)) - usual.get(l);
     return (i0 + l < end) & !(dot(off, off) <= most);
   });
 }

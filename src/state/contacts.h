@@ -60,11 +60,14 @@ struct ContactState {
 
   // Groups of particles (ContactGroups).
   double pace[3];                   ///< m: what particles went in a substep on average
-  unsigned long long least_left;    ///< m: of all pairs of groups, as an ordered double
+  unsigned long long least_left;    ///< m: of all pairs of groups after `ahead` substeps as before,
+                                    ///< as an ordered double
   unsigned long long least_beyond;  ///< m: of all blocks: margin - path, so too
   unsigned long long most_pace;     ///< m: from the average in a substep, so too
-  unsigned long long most_drift;    ///< m: of all groups' expected motion from the average, so too
-  double pace_change;               ///< m: of the average, since
+  unsigned long long least_ahead;   ///< m: so too, after `ahead` substeps as before
+  int32_t span;                     ///< substeps that the last motion of groups took
+  int32_t ahead;                    ///< substeps that are tried without a look
+  double budget;                    ///< m: that a particle may go meanwhile from what is expected
   double part;                      ///< of the usual margins
   int32_t pair_horizon;             ///< substeps that pairs of groups are made for
   uint64_t paired;                  ///< substep that they were made in
@@ -157,8 +160,10 @@ struct Contacts {
   int32_t by_groups;      ///< 1: a host looks at groups of particles where it can
   Waits waits;            ///< what colliders do
   T age;                  ///< substeps since the list was made, the one at hand included
-  T still;                ///< substeps since groups were looked at, so too; 0: nobody asks
-  T budget;               ///< m: that a particle may go meanwhile from the average
+  T still;                ///< substeps since groups were looked at, so too, of those that their
+                          ///< motion took; 0: nobody asks
+  T budget;               ///< m: that a particle may go meanwhile from where its group would be
+  T onward;               ///< of the groups' last motion, that is expected without a look
   uint64_t substep;       ///< number of the one at hand
   const ContactCloth* cloth;
   int32_t cloths;
@@ -248,8 +253,8 @@ struct Contacts {
     array(coincide, blocks);
     array.group(groups, n);
     array.later(search, grids, window, cell, shift, diagonal, skin, most_distance, most_stop,
-                most_drift, friction, with_excluded, by_groups, waits, age, still, budget, substep,
-                entry, impulse, capacity);
+                most_drift, friction, with_excluded, by_groups, waits, age, still, budget, onward,
+                substep, entry, impulse, capacity);
   }
 };
 

@@ -148,11 +148,16 @@ bool substep_with_list(const Team& team, Simulation<T>& sim, const ParticleBuffe
   return true;
 }
 
-/// From the average, at most so far may particles go before pairs of groups are asked for again.
-inline double budget_of(const ContactState& state, int since) {
-  const double drift = unordered(state.most_drift) + state.pace_change;
-  const double beyond = unordered(state.least_beyond) - since * drift;
-  return 0.9999 * smaller(0.5 * unordered(state.least_left), beyond);
+/// How many substeps are tried without a look, after the last try took `done` of them.
+constexpr int most_ahead = 64;
+inline int next_ahead(int ahead, int done) {
+  if (done >= ahead) return ahead < most_ahead / 2 ? 2 * ahead : most_ahead;
+  return done > 1 ? done : ahead > 2 ? ahead / 2 : 1;
+}
+
+/// So far may particles go meanwhile from where their groups would be.
+inline double budget_of(const ContactState& state) {
+  return 0.9999 * smaller(0.5 * unordered(state.least_left), unordered(state.least_ahead));
 }
 
 /// How far, in distances, the fastest may go while pairs of groups last; and limits of how long.
@@ -179,8 +184,7 @@ bool pair_groups(const Team& team, const Simulation<T>& sim, const ParticleBuffe
     const int horizon =
         static_cast<int>(part * (since > 0 ? larger(least_horizon, lasts) : least_horizon));
     if (team.leads()) {
-      c.state->least_beyond = ordered(endless);
-      c.state->most_drift = ordered(0.0);
+      c.state->least_beyond = c.state->least_ahead = ordered(endless);
     }
     team.meet();
     team.for_each_block(sim.blocks, BoxGroups<T>{sim, p, since, horizon, part});
@@ -214,11 +218,11 @@ Outcome substep_with_groups(const Team& team, Simulation<T>& sim, const Particle
   c.substep = age.substep;
   if (age.groups >= 0) {
     const int since = age.groups + 1;
-    const double budget = budget_of(*c.state, since);
+    const double budget = c.state->budget;
     const bool lasts = age.substep < c.state->paired + static_cast<uint64_t>(c.state->pair_horizon);
-    if (lasts && 1.1 * double(since) * unordered(c.state->most_pace) < budget) {
+    if (lasts && since <= c.state->ahead && budget > 0.0) {
       c.waits = Waits::none;
-      c.still = T(since);
+      c.still = T(since) / T(c.state->span);
       c.budget = T(budget);
       advance_before_contact(team, sim, p, step);
       c.still = T(0);
@@ -236,11 +240,14 @@ Outcome substep_with_groups(const Team& team, Simulation<T>& sim, const Particle
   if (team.leads()) {
     c.state->used = c.state->looks = 0;
     c.state->most_pace = ordered(0.0);
-    c.state->least_left = c.state->least_beyond = ordered(endless);
-    c.state->most_drift = ordered(0.0);
+    c.state->least_left = c.state->least_beyond = c.state->least_ahead = ordered(endless);
+    c.state->ahead = next_ahead(c.state->ahead, known ? age.groups : 0);
   }
   team.meet();
   const int since = age.groups + 1;
+  const int span = known ? since : 1;
+  if (team.leads()) c.state->span = span;
+  c.onward = T(c.state->ahead) / T(span);
   bool wanted = !known;
   if (known) {
     team.for_each_block(sim.blocks, MoveGroups<T>{sim, p.x_out, since});
@@ -252,7 +259,6 @@ Outcome substep_with_groups(const Team& team, Simulation<T>& sim, const Particle
     if (wanted) team.meet();
   } else if (team.leads()) {
     for (double& pace : c.state->pace) pace = 0.0;
-    c.state->pace_change = 0.0;
   }
   age.groups = -1;
   if (wanted && !pair_groups(team, sim, p, known ? since : 0)) return Outcome::crowded;
@@ -263,6 +269,7 @@ Outcome substep_with_groups(const Team& team, Simulation<T>& sim, const Particle
   const auto many = most_looks * static_cast<unsigned long long>(sim.blocks * groups_a_block);
   if (team.leads() && c.state->looks > many) c.state->crowded_until = age.substep + crowd_lasts;
   age.groups = 0;
+  if (team.leads()) c.state->budget = budget_of(*c.state);
   respond_to_contact(team, sim, p, step, true, c.state->used > 0 ? Rows::touching : Rows::empty);
   return Outcome::done;
 }

@@ -90,6 +90,7 @@ Status ContactTables<T>::prepare(const ArenaInput& in, Simulation<T>& sim) {
   state.limit = 16;
   state.backoff = state.crowd_backoff = 1;
   state.part = 1;
+  state.ahead = 4;
   substep_ = 0;
   Status status = backend_.to_device(c.state, &state, sizeof state);
   if (status != Status::ok) return status;

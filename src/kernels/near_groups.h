@@ -216,16 +216,16 @@ struct GroupFinder {
       T least = T(endless);
       int looks = 0;
       for (int64_t p = start; p < end; p += 8) {
-        T left[8], later[8];
-        if (come_nearer(groups, own, p, left, later)) {
+        T left[8], onward[8];
+        if (come_nearer(sim.contacts, own, p, left, onward)) {
+          const T early = sim.contacts.early;
           for (int k = 0; k < 8; ++k) {
-            if (left[k] >= T(0)) continue;
+            if (left[k] - (early > T(0) ? onward[k] + early : T(0)) >= T(0)) continue;
             left[k] = groups.left[p + k] = look_into(sim, own, p + k, emit);
             ++looks;
           }
         }
-        const T onward = sim.contacts.onward;
-        for (int k = 0; k < 8; ++k) least = smaller(left[k] - onward * later[k], least);
+        for (int k = 0; k < 8; ++k) least = smaller(left[k] - onward[k], least);
       }
       if (looks > few_looks)
         atomic_sum(&sim.contacts.state->looks, static_cast<unsigned long long>(looks));
@@ -234,25 +234,29 @@ struct GroupFinder {
   }
 
  private:
-  /// Takes from eight pairs what their groups may have come nearer; whether any has nothing left.
-  /// `apart`: what their motions differ by.
-  WEFT_HD static bool come_nearer(const ContactGroups<T>& groups, int own, int64_t p, T (&left)[8],
-                                  T (&apart)[8]) {
+  /// Takes from eight pairs what their groups may have come nearer; whether any has nothing left,
+  /// or would have where a look is worth it early. `onward`: what they would lose without a look.
+  WEFT_HD static bool come_nearer(const Contacts<T>& c, int own, int64_t p, T (&left)[8],
+                                  T (&onward)[8]) {
+    const ContactGroups<T>& groups = c.groups;
     const T *mx = groups.motion[0], *my = groups.motion[1], *mz = groups.motion[2];
     const T* radius = groups.motion[3];
     const Vec3<T> way{mx[own], my[own], mz[own]};
-    const T own_radius = radius[own];
+    const T own_radius = radius[own], ahead = c.onward, early = c.early;
+    const T counts = early > T(0) ? T(1) : T(0);
     const int32_t* others = groups.other + p;
     T* lefts = groups.left + p;
     Lanes<8>{}.each([&](int k) WEFT_LANE {
       const int o = others[k];
       const Vec3<T> off = Vec3<T>{mx[o], my[o], mz[o]} - way;
-      apart[k] = square_root(dot(off, off));
-      const T nearer = apart[k] + (own_radius + radius[o]);
+      const T apart = square_root(dot(off, off));
+      const T nearer = apart + (own_radius + radius[o]);
+      onward[k] = ahead * apart;
       left[k] = lefts[k] - T(1.00001) * nearer;
       lefts[k] = left[k];
     });
-    return Lanes<8>{}.any([&](int k) WEFT_LANE { return !(left[k] >= T(0)); });
+    return Lanes<8>{}.any(
+        [&](int k) WEFT_LANE { return !(left[k] - (counts * onward[k] + early) >= T(0)); });
   }
 
   /// All particles of one with all of the other. Returns what is left.

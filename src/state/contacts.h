@@ -66,6 +66,7 @@ struct ContactState {
   unsigned long long most_pace;     ///< m: from the average in a substep, so too
   unsigned long long least_ahead;   ///< m: so too, after `ahead` substeps as before
   int32_t span;                     ///< substeps that the last motion of groups took
+  int32_t quiet;                    ///< 1: nothing touched at the last look
   int32_t ahead;                    ///< substeps that are tried without a look
   double budget;                    ///< m: that a particle may go meanwhile from what is expected
   double part;                      ///< of the usual margins
@@ -164,6 +165,7 @@ struct Contacts {
                           ///< motion took; 0: nobody asks
   T budget;               ///< m: that a particle may go meanwhile from where its group would be
   T onward;               ///< of the groups' last motion, that is expected without a look
+  T early;                ///< m: pairs of groups that would have less left then are looked into
   uint64_t substep;       ///< number of the one at hand
   const ContactCloth* cloth;
   int32_t cloths;
@@ -254,7 +256,7 @@ struct Contacts {
     array.group(groups, n);
     array.later(search, grids, window, cell, shift, diagonal, skin, most_distance, most_stop,
                 most_drift, friction, with_excluded, by_groups, waits, age, still, budget, onward,
-                substep, entry, impulse, capacity);
+                early, substep, entry, impulse, capacity);
   }
 };
 

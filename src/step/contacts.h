@@ -150,6 +150,8 @@ bool substep_with_list(const Team& team, Simulation<T>& sim, const ParticleBuffe
 
 /// How many substeps are tried without a look, after the last try took `done` of them.
 constexpr int most_ahead = 64;
+/// Where nothing touches, pairs of groups are looked into that would have less left, in distances.
+constexpr double early_look = 0.05;
 inline int next_ahead(int ahead, int done) {
   if (done >= ahead) return ahead < most_ahead / 2 ? 2 * ahead : most_ahead;
   return done > 1 ? done : ahead > 2 ? ahead / 2 : 1;
@@ -248,6 +250,7 @@ Outcome substep_with_groups(const Team& team, Simulation<T>& sim, const Particle
   const int span = known ? since : 1;
   if (team.leads()) c.state->span = span;
   c.onward = T(c.state->ahead) / T(span);
+  c.early = c.state->quiet != 0 ? T(early_look * c.most_distance) : T(0);
   bool wanted = !known;
   if (known) {
     team.for_each_block(sim.blocks, MoveGroups<T>{sim, p.x_out, since});
@@ -269,7 +272,10 @@ Outcome substep_with_groups(const Team& team, Simulation<T>& sim, const Particle
   const auto many = most_looks * static_cast<unsigned long long>(sim.blocks * groups_a_block);
   if (team.leads() && c.state->looks > many) c.state->crowded_until = age.substep + crowd_lasts;
   age.groups = 0;
-  if (team.leads()) c.state->budget = budget_of(*c.state);
+  if (team.leads()) {
+    c.state->budget = budget_of(*c.state);
+    c.state->quiet = c.state->used == 0 ? 1 : 0;
+  }
   respond_to_contact(team, sim, p, step, true, c.state->used > 0 ? Rows::touching : Rows::empty);
   return Outcome::done;
 }

@@ -49,10 +49,12 @@ WEFT_HD_COLD bool has_strayed(const Contacts<T>& c, Vec3Array<T> x, int end, int
   const Vec3Array<T> first = c.first;
   const T still = c.still, most = c.budget * c.budget;
   const T *mx = c.groups.motion[0], *my = c.groups.motion[1], *mz = c.groups.motion[2];
+  constexpr int together = N < contact_group ? N : contact_group;
   LaneVec3<T, N> usual;
-  for (int l = 0; l < N; ++l) {
+  for (int l = 0; l < N; l += together) {
     const int g = (i0 + l) / contact_group;
-    usual.set(l, still * Vec3<T>{mx[g], my[g], mz[g]});
+    const Vec3<T> of_group = still * Vec3<T>{mx[g], my[g], mz[g]};
+    for (int k = 0; k < together; ++k) usual.set(l + k, of_group);
   }
   return lanes.any([&](int l) WEFT_LANE {
     const Vec3<T> off = (load(x, i0 + l) - load(first, i0 + l)) - usual.get(l);

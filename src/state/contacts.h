@@ -68,6 +68,7 @@ struct ContactState {
   int32_t span;                     ///< substeps that the last motion of groups took
   int32_t quiet;                    ///< 1: nothing touched at the last look
   int32_t ahead;                    ///< substeps that are tried without a look
+  int32_t hold, holds;              ///< looks before the next try; of the last try that failed
   double budget;                    ///< m: that a particle may go meanwhile from what is expected
   double part;                      ///< of the usual margins
   int32_t pair_horizon;             ///< substeps that pairs of groups are made for

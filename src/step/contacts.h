@@ -157,6 +157,17 @@ inline int next_ahead(int ahead, int done) {
   return done > 1 ? done : ahead > 2 ? ahead / 2 : 1;
 }
 
+/// A try that fails at once costs a substep: the next one waits for twice as many looks.
+constexpr int most_hold = 32;
+inline void note_try(ContactState& state, bool failed, int done) {
+  if (failed) {
+    state.holds = done > 0 ? 0 : state.holds > 0 ? smaller(2 * state.holds, most_hold) : 1;
+    state.hold = state.holds;
+  } else if (state.hold > 0) {
+    --state.hold;
+  }
+}
+
 /// So far may particles go meanwhile from where their groups would be.
 inline double budget_of(const ContactState& state) {
   return 0.9999 * smaller(0.5 * unordered(state.least_left), unordered(state.least_ahead));
@@ -216,13 +227,15 @@ template <class T, class Team>
 Outcome substep_with_groups(const Team& team, Simulation<T>& sim, const ParticleBuffers<T>& p,
                             const StepParams<T>& step, ListAge& age) {
   Contacts<T>& c = sim.contacts;
+  bool tried = false;
   c.age = T(0);
   c.substep = age.substep;
   if (age.groups >= 0) {
     const int since = age.groups + 1;
     const double budget = c.state->budget;
     const bool lasts = age.substep < c.state->paired + static_cast<uint64_t>(c.state->pair_horizon);
-    if (lasts && since <= c.state->ahead && budget > 0.0) {
+    if (lasts && since <= c.state->ahead && budget > 0.0 && c.state->hold == 0) {
+      tried = true;
       c.waits = Waits::none;
       c.still = T(since) / T(c.state->span);
       c.budget = T(budget);
@@ -244,6 +257,7 @@ Outcome substep_with_groups(const Team& team, Simulation<T>& sim, const Particle
     c.state->most_pace = ordered(0.0);
     c.state->least_left = c.state->least_beyond = c.state->least_ahead = ordered(endless);
     c.state->ahead = next_ahead(c.state->ahead, known ? age.groups : 0);
+    note_try(*c.state, tried, age.groups);
   }
   team.meet();
   const int since = age.groups + 1;

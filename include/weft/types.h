@@ -201,7 +201,8 @@ typedef struct weft_collider_mesh_desc {
 
 typedef struct weft_world_desc {
   weft_double3 gravity;
-  uint8_t precision, form, start;
+  uint8_t precision, form, start, integrator;
+  uint8_t ladder[6];
   uint32_t substeps, max_substeps;
   double safety;
   bool unsafe;

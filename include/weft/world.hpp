@@ -20,12 +20,27 @@ enum class Start : uint8_t {
   lagged   ///< x_(-1) = x0 - v0 dt: global order 1
 };
 
+/// How a step is taken (docs/solvers.md).
+enum class Integrator : uint8_t {
+  verlet,  ///< explicit: springs are forces; the step is bounded
+  xpbd     ///< springs are constraints, one pass over them a substep: stable at any step, and what
+           ///< it leaves of their stretch goes as its square. Order 1
+};
+/// In WorldDesc::ladder: chosen by the size of each grid.
+constexpr uint8_t automatic_ladder = 255;
+
 struct WorldDesc {
   double3 gravity{0, -9.81, 0};  ///< m/s^2
   Precision precision = Precision::float32;
   Form form = Form::summed;
   Start start = Start::taylor;
-  /// Substeps of a step; 0: the fewest with dt <= safety * bound (one without springs).
+  Integrator integrator = Integrator::verlet;
+  /// XPBD on grids: long springs that only pull, along rows and columns, between vertices so many
+  /// apart; largest first, 2 to 64, ended by 0. They pass tension on faster.
+  uint8_t ladder[6] = {automatic_ladder};
+  /// Substeps of a step; 0: the fewest with dt <= safety * bound (one without springs); of xpbd
+  /// those that keep a hanging sheet from stretching by more than some 3 %, and max_substeps then
+  /// drops no time.
   uint32_t substeps = 0;
   /// Most substeps of a step; 0: no limit. A step that needs more is shorter than asked for: the
   /// rest of it is dropped, with an event.

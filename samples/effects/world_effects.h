@@ -1,4 +1,5 @@
-// What a world has besides colliders: wind, self-collision, and other ways to add forces up.
+// What a world has besides colliders: wind, self-collision, other ways to add forces up, and
+// springs that are constraints.
 #pragma once
 
 #include "samples/effects/effect.h"
@@ -50,6 +51,29 @@ constexpr Effect timed_scatter(Effect effect) {
   return effect;
 }
 
+/// Springs are constraints: no forces that a scatter could add up.
+inline void project(WorldDesc& w) {
+  w.integrator = Integrator::xpbd;
+  w.form = Form::summed;
+  w.evaluation = Evaluation::automatic;
+  w.accumulate = Accumulate::native;
+}
+inline void project_with_ladder(WorldDesc& w) {
+  project(w);
+  w.ladder[0] = 4;
+  w.ladder[1] = 2;
+}
+inline constexpr Effect xpbd{
+    .name = "xpbd",
+    .used = {.line = "xpbd, used", .begin = project},
+    .null = {{.begin = [](WorldDesc& w) { w.ladder[0] = 8; }}},
+    .timed = {{.line = "xpbd with long springs", .begin = project_with_ladder}},
+    .scene_keys = {R"("solver": {"integrator": "xpbd"})"}};
+inline constexpr Effect xpbd_ladder{
+    .name = "xpbd_ladder",
+    .used = {.begin = project_with_ladder},
+    .scene_keys = {R"("solver": {"integrator": "xpbd", "ladder": [4, 2]})"}};
+
 /// Below the spacing of the scene's sheet, which shrinks a little: then neighbours touch.
 inline void come_near(ClothDesc& d) { d.collision_distance = 0.06245; }
 inline void avoid_all(ClothDesc& d) {
@@ -98,6 +122,8 @@ inline constexpr Effect world_effects[] = {
     scattered<Accumulate::float16>("scatter_float16", R"("float16")"),
     scattered<Accumulate::float24>("scatter_float24", R"("float24")"),
     scattered<Accumulate::float24_all>("scatter_float24_all", R"("float24_all")"),
-    scattered<Accumulate::fixed8>("scatter_fixed8", R"("fixed8")")};
+    scattered<Accumulate::fixed8>("scatter_fixed8", R"("fixed8")"),
+    xpbd,
+    xpbd_ladder};
 
 }  // namespace weft::samples

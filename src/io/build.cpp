@@ -87,6 +87,9 @@ WorldDesc world_desc(const Scene& scene) {
   desc.precision = scene.solver.precision;
   desc.form = scene.solver.form;
   desc.start = scene.solver.start;
+  desc.integrator = scene.solver.method == Method::xpbd ? Integrator::xpbd : Integrator::verlet;
+  std::fill(std::begin(desc.ladder), std::end(desc.ladder), uint8_t(0));
+  std::copy(scene.solver.ladder.begin(), scene.solver.ladder.end(), desc.ladder);
   desc.substeps = scene.time.substeps;
   desc.max_substeps = scene.time.max_substeps;
   desc.safety = scene.solver.safety;

@@ -20,11 +20,12 @@ struct TimeSettings {
   uint32_t max_substeps = 0;  ///< 0: no limit
 };
 
-enum class Integrator : uint8_t { verlet, rk4, implicit_euler, implicit_midpoint, xpbd };
+enum class Method : uint8_t { verlet, rk4, implicit_euler, implicit_midpoint, xpbd };
 enum class EnergyGuard : uint8_t { automatic, on, off };
 
 struct SolverSettings {
-  Integrator integrator = Integrator::verlet;
+  Method method = Method::verlet;  ///< "integrator"
+  std::vector<uint8_t> ladder{automatic_ladder};
   Form form = Form::summed;
   Start start = Start::taylor;
   Precision precision = Precision::float32;

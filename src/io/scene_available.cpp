@@ -14,25 +14,25 @@ namespace {
                    remedy);
 }
 
-const char* name_of(Integrator integrator) {
-  switch (integrator) {
-    case Integrator::verlet:
+const char* name_of(Method method) {
+  switch (method) {
+    case Method::verlet:
       return "\"verlet\"";
-    case Integrator::rk4:
+    case Method::rk4:
       return "\"rk4\"";
-    case Integrator::implicit_euler:
+    case Method::implicit_euler:
       return "\"implicit_euler\"";
-    case Integrator::implicit_midpoint:
+    case Method::implicit_midpoint:
       return "\"implicit_midpoint\"";
-    case Integrator::xpbd:
+    case Method::xpbd:
       return "\"xpbd\"";
   }
   return "";
 }
 
 void refuse_solver(const SolverSettings& solver) {
-  if (solver.integrator != Integrator::verlet) {
-    refuse("$.solver.integrator", name_of(solver.integrator), "give \"verlet\"");
+  if (solver.method != Method::verlet && solver.method != Method::xpbd) {
+    refuse("$.solver.integrator", name_of(solver.method), "give \"verlet\" or \"xpbd\"");
   }
   if (solver.energy_guard == EnergyGuard::on) {
     refuse("$.solver.energy_guard", "true", "give false or \"auto\"");

@@ -6,12 +6,11 @@ namespace {
 
 void read_methods(const Node& node, SolverSettings& solver) {
   if (const auto key = node.find("integrator")) {
-    solver.integrator =
-        key->choice<Integrator>({{"verlet", Integrator::verlet},
-                                 {"rk4", Integrator::rk4},
-                                 {"implicit_euler", Integrator::implicit_euler},
-                                 {"implicit_midpoint", Integrator::implicit_midpoint},
-                                 {"xpbd", Integrator::xpbd}});
+    solver.method = key->choice<Method>({{"verlet", Method::verlet},
+                                         {"rk4", Method::rk4},
+                                         {"implicit_euler", Method::implicit_euler},
+                                         {"implicit_midpoint", Method::implicit_midpoint},
+                                         {"xpbd", Method::xpbd}});
   }
   if (const auto key = node.find("form")) {
     solver.form = key->choice<Form>({{"summed", Form::summed}, {"position", Form::position}});
@@ -50,6 +49,45 @@ void read_evaluation(const Node& node, SolverSettings& solver) {
     key->fail(key->value_text() +
               " needs evaluation \"scatter\" (a gather sums in registers) give "
               "\"native\" or set evaluation to \"scatter\"");
+  }
+}
+
+/// Passes over the springs of a substep, and long springs.
+void read_projection(const Node& node, SolverSettings& solver) {
+  const bool projects = solver.method == Method::xpbd;
+  if (const auto key = node.find("iterations")) {
+    if (key->is_string()) {
+      key->choice<int>({{"auto", 0}});
+    } else if (key->integer(1, 1000000000, "a substep passes over the springs at least once") > 1 &&
+               projects) {
+      key->out_of_range("xpbd passes over its springs once a substep",
+                        "give 1 or \"auto\", and more substeps");
+    }
+  }
+  if (projects && solver.form == Form::position) {
+    const Node form = node.at("form", "");
+    form.out_of_range("xpbd keeps displacements", "give \"summed\"");
+  }
+  if (projects && solver.evaluation == Evaluation::scatter) {
+    const Node evaluation = node.at("evaluation", "");
+    evaluation.out_of_range("the springs of xpbd are constraints, and no forces to add up",
+                            "give \"auto\"");
+  }
+  const auto key = node.find("ladder");
+  if (!key) return;
+  if (key->is_string()) {
+    key->choice<int>({{"auto", 0}});
+    return;
+  }
+  solver.ladder.clear();
+  const size_t strides = key->array_size("strides, or \"auto\"");
+  for (size_t k = 0; k < strides; ++k) {
+    const Node stride = (*key)[k];
+    if (k == sizeof WorldDesc::ladder) {
+      stride.out_of_range("there are six strides at most", "leave out some");
+    }
+    const int64_t most = k > 0 ? solver.ladder.back() - 1 : 64;
+    solver.ladder.push_back(uint8_t(stride.integer(2, most, "strides are 2 to 64, largest first")));
   }
 }
 
@@ -92,9 +130,11 @@ void read_time(const Node& node, TimeSettings& time) {
 
 void read_solver(const Node& node, SolverSettings& solver) {
   node.require_object({"integrator", "form", "start", "precision", "evaluation", "accumulate",
-                       "deterministic", "safety", "energy_guard", "unsafe"});
+                       "deterministic", "safety", "iterations", "ladder", "energy_guard",
+                       "unsafe"});
   read_methods(node, solver);
   read_evaluation(node, solver);
+  read_projection(node, solver);
   read_limits(node, solver);
 }
 

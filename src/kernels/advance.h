@@ -89,7 +89,7 @@ struct AdvanceParticles {
   template <class Region, int N>
   WEFT_HD bool integrate(const ClothParams<T>& cloth, const Region& region, int i0, Lanes<N> lanes,
                          const LaneVec3<T, N>& force) const {
-    const bool left = stages.integrate(cloth, region, i0, lanes, force);
+    const bool left = place(cloth, region, i0, lanes, force);
     if constexpr (contains(Set, Stage::tethers)) {
       const Update update = stages.step.update;
       const bool moves = update == Update::summed || update == Update::position;
@@ -98,6 +98,16 @@ struct AdvanceParticles {
       }
     }
     return left;
+  }
+
+  template <class Region, int N>
+  WEFT_HD bool place(const ClothParams<T>& cloth, const Region& region, int i0, Lanes<N> lanes,
+                     const LaneVec3<T, N>& force) const {
+    if constexpr (Springs::projected) {
+      return stages.keep_projected(region, i0, lanes);
+    } else {
+      return stages.integrate(cloth, region, i0, lanes, force);
+    }
   }
 
   /// Where particles meet each other, pins are placed first: whoever touches them sees them where

@@ -24,6 +24,7 @@ struct GridSprings {
   const uint8_t* inner;
 
   static constexpr bool uneven = false;
+  static constexpr bool projected = false;
   WEFT_HD bool stopped() const { return false; }
 
   /// Distances in memory from a particle to its neighbours.

@@ -21,6 +21,7 @@ struct MeshSprings {
   Hubs<T> hubs;
 
   static constexpr bool uneven = true;
+  static constexpr bool projected = false;
   /// Entries of `count` blocks from the first on, and as much again for each particle.
   WEFT_HD int64_t work_before(int first_block, int count) const {
     const int slice = first_block - rows.first_block;

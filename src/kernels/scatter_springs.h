@@ -15,6 +15,7 @@ struct ScatterSprings {
   Hubs<T> hubs;
 
   static constexpr bool uneven = true;
+  static constexpr bool projected = false;
   WEFT_HD int64_t work_before(int first_block, int count) const {
     return edges.accumulation == Accumulation::native ? incident_before(edges, first_block, count)
                                                       : int64_t(count);

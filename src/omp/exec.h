@@ -173,6 +173,7 @@ class Team {
   }
   /// One thread of the team, for what must be done once.
   bool leads() const { return thread_ == 0; }
+  int threads() const { return jobs_ != nullptr ? static_cast<int>(jobs_->workers) : threads_; }
 
  private:
   /// A dispatch costs microseconds: fewer than 16 blocks are not worth one.

@@ -14,6 +14,9 @@ constexpr double spring_damping_flops = 22;  // the same, with velocities
 constexpr double sum_flops = 3;              // of a force that is there already
 constexpr double integrate_flops = 22;       // w f + g, r d + h a, x + d
 constexpr double drag_flops = 10;
+// kernels/project_springs.h: difference, length, scale, two ends; with what l has gained.
+constexpr double projection_flops = 31, projection_damping_flops = 19;
+constexpr double keep_flops = 9;  // displacement from what the springs have done
 constexpr double pin_flops = 9;
 constexpr double wind_flops = 84;    // of one triangle, for one of its corners
 constexpr double region_flops = 6;   // has the block left the region of its list of colliders?
@@ -124,6 +127,34 @@ void add_spring_passes(const WorldShape& world, Plan& plan) {
   }
 }
 
+/// XPBD: springs move their ends, colour by colour. `count` is springs and the rest is per spring.
+void add_projection(const WorldShape& world, Plan& plan) {
+  if (!world.projects) return;
+  const auto scalar = static_cast<double>(world.scalar());
+  uint64_t springs = 0;
+  uint32_t colours = 0;
+  double bytes = 0, flops = 0;
+  for (const ClothShape& c : world.cloths) {
+    const uint64_t own = c.directed_springs / 2 + c.ladder_springs;
+    springs += own;
+    colours = std::max(colours, c.colours);
+    // Both ends are read and written in every colour: positions, inverse masses.
+    bytes += 14 * scalar * static_cast<double>(own) + sizeof(SpringBlock) * double(c.spring_blocks);
+    bytes += (8 + 2 * scalar) * static_cast<double>(c.coloured_springs);
+    flops += projection_flops * static_cast<double>(own);
+    if (c.spring_damping) {
+      bytes += 6 * scalar * static_cast<double>(c.directed_springs / 2);
+      flops += projection_damping_flops * static_cast<double>(c.directed_springs / 2);
+    }
+  }
+  const double n = std::max(1.0, static_cast<double>(springs));
+  plan.passes.push_back(
+      {"springs", "substep",
+       "project_springs" + String(world.precision == Precision::float64 ? "_float64" : "_float32") +
+           " " + std::to_string(colours).c_str() + "_colours",
+       springs, bytes / n, flops / n});
+}
+
 Pass advance_pass(const WorldShape& world, KernelKind kind) {
   const Sums s = sum_of(world, kind);
   const auto scalar = static_cast<double>(world.scalar());
@@ -131,7 +162,7 @@ Pass advance_pass(const WorldShape& world, KernelKind kind) {
   double bytes = (world.position_form ? 9 : 12) * scalar + scalar;  // x, d, x', d'; inverse mass
   if (is_grid(kind)) {
     bytes += 5.0 / block_size;  // block tables; presence bits at the border only
-  } else if (!scatters(kind)) {
+  } else if (!scatters(kind) && !world.projects) {
     const double entry = 4 + scalar + (kind == KernelKind::mesh_per_spring ? scalar : 0);
     bytes += entry * static_cast<double>(s.entries) / n;
   }
@@ -146,8 +177,13 @@ Pass advance_pass(const WorldShape& world, KernelKind kind) {
       bytes += sum_bytes(world.accumulation, scalar);
     }
   } else {
-    flops += spring_flops * static_cast<double>(s.springs - s.in_hubs) / n;
-    flops += spring_damping_flops * static_cast<double>(s.damped_springs) / n;
+    if (world.projects) {
+      bytes += 12 * scalar;  // a second pass, behind the springs
+      flops += keep_flops;
+    } else {
+      flops += spring_flops * static_cast<double>(s.springs - s.in_hubs) / n;
+      flops += spring_damping_flops * static_cast<double>(s.damped_springs) / n;
+    }
   }
   flops += drag_flops * static_cast<double>(s.dragged) / n;
   flops += pin_flops * static_cast<double>(s.pinned) / n;
@@ -302,6 +338,7 @@ Plan compile_plan(const WorldShape& world) {
     plan.ranges.back().count += blocks;
     first += blocks;
   }
+  add_projection(world, plan);
   add_other_passes(world, plan);
   return plan;
 }

@@ -28,6 +28,8 @@ ClothCounts counts_of(const WorldShape& world, const ClothShape& cloth) {
     if (cloth.kind == KernelKind::mesh_per_spring) n.own_stiffness = cloth.row_entries;
   }
   n.hubs = cloth.hubs;
+  n.spring_blocks = cloth.spring_blocks;
+  n.coloured_springs = static_cast<int64_t>(cloth.coloured_springs);
   n.hub_chunks = cloth.hub_chunks;
   if (!is_grid(cloth.kind) && (world.wind || world.normals)) {
     n.fan_slices = blocks;
@@ -52,6 +54,8 @@ void add(const ClothCounts& more, ClothCounts& n) {
   n.incident += more.incident;
   n.hub_incident += more.hub_incident;
   n.hubs += more.hubs;
+  n.spring_blocks += more.spring_blocks;
+  n.coloured_springs += more.coloured_springs;
   n.hub_chunks += more.hub_chunks;
   n.fan_slices += more.fan_slices;
   n.corners += more.corners;
@@ -110,6 +114,7 @@ Counts counts_of(const WorldShape& world) {
   n.turns = world.turning_colliders;
   n.substeps = world.substeps;
   n.position_form = world.position_form;
+  n.projects = world.projects;
   n.keeps_before = world.interpolate;
   n.collides = n.all_colliders > 0 && n.cloths > 0;
   n.uses_activity |= n.collides;

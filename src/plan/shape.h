@@ -15,10 +15,14 @@ struct ClothShape {
   int64_t
       row_entries;  ///< sliced rows and hubs, padding included; 0 for grids that gather, atomics
   uint64_t edges;   ///< padding included; 0: it gathers
-  int64_t hub_entries;        ///< of the row_entries: those of hubs
-  uint32_t hubs, hub_chunks;  ///< none where atomics add up
-  uint64_t hub_springs;       ///< directed: those of the hubs, among directed_springs
-  int guard;                  ///< elements that the stencil reads before and behind
+  int64_t hub_entries;            ///< of the row_entries: those of hubs
+  uint32_t hubs, hub_chunks;      ///< none where atomics add up
+  uint32_t colours = 0;           ///< XPBD: of its springs; 0: they are forces
+  uint32_t spring_blocks = 0;     ///< of at most 32 springs of a colour
+  uint64_t coloured_springs = 0;  ///< of meshes and networks, padding included
+  uint64_t ladder_springs = 0;    ///< of grids: long ones
+  uint64_t hub_springs;           ///< directed: those of the hubs, among directed_springs
+  int guard;                      ///< elements that the stencil reads before and behind
   bool drag;
   bool spring_damping;
   bool triangles;            ///< feels wind, has normals
@@ -39,6 +43,7 @@ struct PartCost {
 struct WorldShape {
   Precision precision = Precision::float32;
   bool position_form = false;
+  bool projects = false;                             ///< XPBD: springs are constraints
   Accumulation accumulation = Accumulation::native;  ///< of the cloths that scatter
   double full_scale = 1;                             ///< of fixed8, in largest spring forces
   Vector<ClothShape> cloths;

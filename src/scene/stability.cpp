@@ -21,7 +21,8 @@ class BoundSearch {
     } else {
       over_rows();
     }
-    const double root_k = std::sqrt(stiffness_), c = damping_.value + drag_.value;
+    const double root_k = input_.springs ? std::sqrt(stiffness_) : 0;
+    const double c = damping_.value + drag_.value;
     if (root_k == 0 && c == 0) return {std::numeric_limits<double>::infinity(), 0, 0};
     // The root of dt^2 K + 2 dt C = 4 without cancellation or overflow.
     const double dt = with_wind(4 / (c + std::hypot(c, 2 * root_k)), root_k * root_k, c);

@@ -23,7 +23,8 @@ struct BoundInput {
   const Array<uint8_t>* pinned;  ///< per vertex; null: none
   double lagged_drag;            ///< N s/m; 0 for central drag, which lowers nothing
   double spring_damping;         ///< N s/m
-  double wind = 0;  ///< N s/m per m^2 of 2 A: the most that a corner of a triangle feels
+  double wind = 0;      ///< N s/m per m^2 of 2 A: the most that a corner of a triangle feels
+  bool springs = true;  ///< they are forces: their stiffness bounds the step
 };
 
 Bound stable_bound(const CookedFabric&, const BoundInput&);

@@ -19,6 +19,8 @@ struct ClothCounts {
   int64_t scatter_slices, edges, incident;
   int64_t hub_incident;  ///< the same of cloths that scatter
   int64_t hubs, hub_chunks;
+  int64_t spring_blocks;        ///< of coloured springs
+  int64_t coloured_springs;     ///< of them, those in a list, each colour filled up to whole blocks
   int64_t fan_slices, corners;  ///< of triangles: of all meshes, whether they gather or scatter
   int64_t pin_blocks, motions;  ///< the first motion is "none"
   int64_t survey_groups;
@@ -35,6 +37,7 @@ struct Counts : ClothCounts {
   bool position_form;
   bool reads_velocities;  ///< of neighbours: displacements need two buffers
   bool keeps_before;      ///< positions before a frame
+  bool projects;          ///< springs are constraints: state/coloured.h
   bool damped_edges, damped_hubs;
   bool uses_activity, collides, meets_meshes;
   int64_t contact_grids;  ///< that particles are sorted into to find who is near; 0: nobody looks

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "state/activity.h"
+#include "state/coloured.h"
 #include "state/colliders.h"
 #include "state/contacts.h"
 #include "state/edges.h"
@@ -47,6 +48,7 @@ struct Simulation {
   SlicedRows<T> rows;
   Hubs<T> hubs;
   Edges<T> edges;
+  ColouredSprings<T> coloured;
   TriangleRows triangles;
   Colliders<T> colliders;
   const ClothActivity<T>* activity;  ///< null: no colliders, and nobody sleeps
@@ -81,6 +83,7 @@ struct Simulation {
     array(presence, n.grid_particles);
     array.group(rows, n);
     array.group(edges, n);
+    array.group(coloured, n);
     array.group(hubs, n);
     array.group(forces, n);
     array.group(tethers, n);

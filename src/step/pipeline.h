@@ -5,6 +5,8 @@
 //   substep:  springs?, hubs?                    where a cloth scatters or has very many springs
 //             advance = forces | wind? | integration | tethers? | colliders? | pins?    one pass;
 //             on a GPU shapes? | meshes? | pins? are passes of their own
+//             XPBD: forces | wind? | prediction | pins?, then the springs colour by colour, then
+//             displacement | tethers? | colliders? | pins?: step/projection.h
 //             where particles meet: advance to its seam | contacts | colliders?, step/contacts.h
 //             swap:     what was written becomes what is read
 //   survey:   where the cloths are, how fast, whether any particle is lost
@@ -23,6 +25,7 @@
 #include "step/fans.h"
 #include "step/frame.h"
 #include "step/measured.h"
+#include "step/projection.h"
 #include "step/reduce.h"
 #include "step/variants.h"
 
@@ -64,8 +67,9 @@ StepParams<T> step_params(const Frame<T>& frame, int s) {
   step.position_form = frame.position_form;
   step.dt = T(frame.dt);
   step.ratio = T(frame.dt / before);
-  step.a_factor = T(0.5 * frame.dt * (frame.dt + before));
   step.square = T(frame.dt * frame.dt);
+  step.a_factor = T(0.5 * frame.dt * (frame.dt + before));
+  if (frame.sim.coloured.projects != 0) step.a_factor = step.square;  // y = x + h (v + h a)
   step.newcomers = s == 0 && frame.newcomers;
   step.time = T((s + 1) * frame.dt);
   step.time_before = T(s * frame.dt);
@@ -115,16 +119,27 @@ void springs_before(const Team& team, const Simulation<T>& sim, const ParticleBu
 template <class T, class Team>
 void advance(const Team& team, const Simulation<T>& sim, const ParticleBuffers<T>& p,
              const StepParams<T>& step) {
-  springs_before(team, sim, p, step);
-  if constexpr (Team::fuses) {
-    advance_ranges<one_pass>(team, sim, p, step);
+  const bool moves = step.update == Update::summed || step.update == Update::position;
+  const bool projects = moves && sim.coloured.projects != 0;
+  if (projects) {
+    predict_and_project(team, sim, p, step);
   } else {
-    const bool moves = step.update == Update::summed || step.update == Update::position;
+    springs_before(team, sim, p, step);
+  }
+  if constexpr (Team::fuses) {
+    if (projects) {
+      follow_projection<behind_springs>(team, sim, p, step);
+    } else {
+      advance_ranges<one_pass>(team, sim, p, step);
+    }
+  } else {
     const bool collide = moves && sim.reach != nullptr && sim.activity != nullptr;
     const bool meshes = collide && sim.near_memory != nullptr;
     Simulation<T> first = sim;
     if (collide) first.places_pins = false;  // the last pass places them
-    if (sim.windy) {
+    if (projects) {
+      follow_projection<behind_springs_no_colliders>(team, first, p, step);
+    } else if (sim.windy) {
       advance_ranges<in_wind>(team, first, p, step);
     } else {
       advance_ranges<in_still_air>(team, first, p, step);
@@ -148,6 +163,14 @@ void advance(const Team& team, const Simulation<T>& sim, const ParticleBuffers<T
 template <class T, class Team>
 void advance_before_contact(const Team& team, const Simulation<T>& sim, const ParticleBuffers<T>& p,
                             const StepParams<T>& step) {
+  if (sim.coloured.projects != 0) {
+    predict_and_project(team, sim, p, step);
+    follow_projection<Team::fuses ? behind_springs : behind_springs_no_colliders>(team, sim, p,
+                                                                                  step);
+    team.meet();
+    team.lap(Lap::advance);
+    return;
+  }
   springs_before(team, sim, p, step);
   if constexpr (Team::fuses) {
     advance_ranges<one_pass>(team, sim, p, step);

@@ -37,5 +37,14 @@ constexpr StageSet one_pass = every_stage;
 constexpr StageSet in_still_air = without(without(every_stage, Stage::colliders), Stage::wind);
 constexpr StageSet in_wind = without(every_stage, Stage::colliders);
 
+/// Where springs are constraints (XPBD): what comes before them, and behind.
+constexpr StageSet before_springs = without(
+    without(without(without(every_stage, Stage::spring_damping), Stage::tethers), Stage::contacts),
+    Stage::colliders);
+constexpr StageSet before_springs_in_still_air = without(before_springs, Stage::wind);
+constexpr StageSet behind_springs =
+    without(without(without(every_stage, Stage::forces), Stage::spring_damping), Stage::wind);
+constexpr StageSet behind_springs_no_colliders = without(behind_springs, Stage::colliders);
+
 }  // namespace WEFT_BACKEND_NS
 }  // namespace weft

@@ -157,7 +157,14 @@ TEST(SceneSurroundings, WhatIsNotAvailableIsNamed) {
         "$.solver.integrator: \"rk4\" is not available in this"},
        {"solver", R"({"integrator": "implicit_euler"})", "not available in this version"},
        {"solver", R"({"integrator": "implicit_midpoint"})", "not available in this version"},
-       {"solver", R"({"integrator": "xpbd"})", "not available in this version"},
+       {"solver", R"({"integrator": "xpbd", "form": "position"})", "$.solver.form: \"position\""},
+       {"solver", R"({"integrator": "xpbd", "evaluation": "scatter"})", "$.solver.evaluation"},
+       {"solver", R"({"integrator": "xpbd", "iterations": 2})", "$.solver.iterations: 2 is out"},
+       {"solver", R"({"iterations": 0})", "$.solver.iterations: 0 is out"},
+       {"solver", R"({"integrator": "xpbd", "ladder": [4, 8]})", "$.solver.ladder[1]: 8 is out"},
+       {"solver", R"({"ladder": [1]})", "$.solver.ladder[0]: 1 is out"},
+       {"solver", R"({"ladder": "long"})", "$.solver.ladder: \"long\""},
+       {"solver", R"({"ladder": [9, 8, 7, 6, 5, 4, 3]})", "$.solver.ladder[6]: 3 is out"},
        {"solver", R"({"energy_guard": true})", "$.solver.energy_guard: true is not available"}});
 }
 

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cstring>
+#include <optional>
 
 #include "api/arena/fill.h"
 #include "api/arena/collider_inputs.h"
+#include "api/arena/colours.h"
 #include "api/arena/contact_frame.h"
 #include "api/arena/contacts.h"
 #include "api/arena/device_memory.h"
@@ -40,6 +42,7 @@ class ArenaOf final : public Arena, public HostObject {
     device_ = plan::cut<T>(in.shape, stride(), memory_.data());
     sim_ = device_.sim;
     set_ranges(plan::compile_plan(in.shape));
+    sim_.coloured.table = colours_.emplace(in).table();
     const Vector<ClothCounts> places = plan::places_of(in.shape);
     for (size_t c = 0; c < in.cloths.size(); ++c) {
       in.cloths[c]->place = places[c];
@@ -55,7 +58,7 @@ class ArenaOf final : public Arena, public HostObject {
     if (status != Status::ok) return status;
     Frame<T> frame = make_frame(in, {1, dt, dt, time, workers});
     frame.sim.activity = nullptr;  // nobody sleeps through these
-    if (any_starts(in) && in.world->start != Start::lagged) {
+    if (any_starts(in) && !in.shape.projects && in.world->start != Start::lagged) {
       status = backend_.start(frame);
       sim_ = frame.sim;
       sim_.activity = device_.sim.activity;
@@ -282,7 +285,6 @@ class ArenaOf final : public Arena, public HostObject {
   }
 
   Frame<T> make_frame(const ArenaInput& in, const FrameInput& input) {
-    position_form_ = in.world->form == Form::position;
     Frame<T> frame{};
     frame.sim = sim_;
     frame.substeps = input.substeps;
@@ -378,7 +380,7 @@ class ArenaOf final : public Arena, public HostObject {
   plan::DeviceArrays<T> device_;  ///< as they were cut
   Simulation<T> sim_{};           ///< as the last frame left them: which buffer holds the present
   bool position_form_ = false;
-
+  std::optional<ColourStarts> colours_;  ///< Simulation::coloured points to it
   Vector<ClothParams<T>> params_;
   Vector<Survey<T>> found_;
   SpringWatcher<T> springs_;

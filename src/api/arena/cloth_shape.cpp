@@ -47,6 +47,12 @@ plan::ClothShape shape_of(const ClothRecord& cloth, Accumulation accumulation, b
   } else if (!fabric.is_grid) {
     shape.row_entries = fabric.row_entries;
   }
+  if (cloth.colours) {
+    shape.colours = cloth.colours->count();
+    shape.spring_blocks = static_cast<uint32_t>(cloth.colours->blocks.size());
+    shape.coloured_springs = cloth.colours->springs.size();
+    shape.ladder_springs = scene::ladder_springs(*cloth.colours);
+  }
   if (fabric.is_grid) {
     const int radius = scene::stencil_radius(fabric.grid.stencil);
     const int columns = fabric.grid.rows > 1 ? static_cast<int>(fabric.grid.columns) : 0;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "api/arena/colours.h"
 #include "api/arena/parts.h"
 #include "api/context/vector_math.h"
 #include "api/records/evaluation.h"
@@ -51,6 +52,9 @@ class ImageFiller {
         if (!part.used(*cloth)) return;
         part.fill(*cloth, cloth->place.part[index_of(part.part)], stride_, part.arrays(sim_));
       });
+    }
+    if (sim_.coloured.block != nullptr) {
+      fill_spring_blocks(in_, writable(sim_.coloured.block));
     }
   }
 

@@ -72,6 +72,7 @@ void SpringFiller<T>::fill(const ClothRecord& cloth) {
   } else {
     fill_rows(cloth);
   }
+  if (image_.coloured.projects != 0) fill_coloured(cloth);
 }
 
 /// Of entry k of the row of vertex v.
@@ -176,6 +177,22 @@ void SpringFiller<T>::fill_edges(const ClothRecord& cloth) {
   std::fill_n(writable(image_.edges.cloth) + first / block_size, room / block_size,
               static_cast<int32_t>(cloth.place.cloths));
   if (image_.edges.start) fill_incident(cloth, table);
+}
+
+/// Meshes and networks: colour by colour.
+template <class T>
+void SpringFiller<T>::fill_coloured(const ClothRecord& cloth) {
+  const scene::CookedFabric& fabric = cloth.cooked();
+  int64_t at = cloth.place.coloured_springs;
+  for (const scene::Edge& edge : cloth.colours->springs) {
+    writable(image_.coloured.a)[at] = cloth.first() + static_cast<int32_t>(edge.a);
+    writable(image_.coloured.b)[at] = cloth.first() + static_cast<int32_t>(edge.b);
+    if (edge.a != edge.b) {
+      writable(image_.coloured.rest)[at] = rest_of(cloth, fabric.caller_of[edge.a], edge.entry);
+      writable(image_.coloured.stiffness)[at] = stiffness_of(cloth, edge.entry);
+    }
+    ++at;
+  }
 }
 
 template <class T>

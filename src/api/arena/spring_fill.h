@@ -25,6 +25,7 @@ class SpringFiller {
   /// `at`: where the entry 0 of its fabric would be for the entries of hubs.
   void fill_hubs(const ClothRecord&, int64_t at);
   void fill_edges(const ClothRecord&);
+  void fill_coloured(const ClothRecord&);
   void fill_incident(const ClothRecord&, const scene::Edges&);
   T rest_of(const ClothRecord&, uint32_t v, uint64_t k) const;
   T stiffness_of(const ClothRecord&, uint64_t k) const;

@@ -74,6 +74,8 @@ weft_world_desc weft_default_world(void) {
           static_cast<uint8_t>(d.precision),
           static_cast<uint8_t>(d.form),
           static_cast<uint8_t>(d.start),
+          static_cast<uint8_t>(d.integrator),
+          {d.ladder[0], d.ladder[1], d.ladder[2], d.ladder[3], d.ladder[4], d.ladder[5]},
           d.substeps,
           d.max_substeps,
           d.safety,

@@ -69,6 +69,9 @@ WorldDesc from_c(const weft_world_desc& d) {
   out.precision = choice<Precision>(d.precision);
   out.form = choice<Form>(d.form);
   out.start = choice<Start>(d.start);
+  out.integrator = choice<Integrator>(d.integrator);
+  static_assert(sizeof out.ladder == sizeof d.ladder);
+  std::copy(std::begin(d.ladder), std::end(d.ladder), out.ladder);
   out.substeps = d.substeps;
   out.max_substeps = d.max_substeps;
   out.safety = d.safety;

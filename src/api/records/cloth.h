@@ -7,6 +7,7 @@
 #include "api/records/way.h"
 #include "base/memory_host.h"
 #include "plan/shape.h"
+#include "scene/colours.h"
 #include "scene/stretch.h"
 #include "weft/world.hpp"
 
@@ -51,7 +52,7 @@ struct ClothRecord : ClothSettings, HostObject {
 
   ClothId id;
   uint64_t created = 0;  ///< its place among the cloths of the world, by creation
-  Fabric fabric;  // holds the reference
+  Fabric fabric;         // holds the reference
   const scene::CookedFabric* cooked_fabric = nullptr;
 
   // Rows of the rotation; position in the world = rotation * rest + translate.
@@ -76,6 +77,9 @@ struct ClothRecord : ClothSettings, HostObject {
   bool scatters = false;      ///< its springs are evaluated once each (evaluation.h)
   double force_scale = 0;     ///< N: of one spring (evaluation.h)
   uint32_t most_springs = 0;  ///< of a vertex
+
+  std::shared_ptr<const scene::Colours> colours;  ///< XPBD: its springs (projection.h)
+  double chain = 0;                               ///< 1/m: extent / (spring length)^2
 
   bool asleep = false;
   double calm = 0;   ///< s: how long nothing has been faster than sleep_speed

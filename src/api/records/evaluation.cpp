@@ -40,7 +40,9 @@ void find_forces(ClothRecord& cloth) {
 }  // namespace
 
 void choose_evaluation(const WorldDesc& desc, const BackendInfo& backend, ClothRecord& cloth) {
-  if (desc.evaluation == Evaluation::automatic) {
+  if (desc.integrator == Integrator::xpbd) {
+    cloth.scatters = false;
+  } else if (desc.evaluation == Evaluation::automatic) {
     const plan::EvaluationCost cost = cost_of(cloth, desc.precision, backend);
     cloth.scatters = cost.scatter < cost.gather;
   } else {

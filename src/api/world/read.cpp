@@ -149,6 +149,18 @@ Status World::Impl::probe(const api::ClothRecord& cloth, Vector<api::Probed>& ou
   return arena->read_probe(cloth, out);
 }
 
+Status World::Impl::read_mean_velocities(ClothId id, double3* out) {
+  return read_cloth(this, id, api::StateArray::displacement,
+                    [&](const api::ClothRecord& cloth, uint32_t v, const double3& d) {
+                      const double dt = cloth.moved ? dt_before : built_dt;
+                      out[v] = cloth.asleep ? double3{0, 0, 0} : api::times(1 / dt, d);
+                      const api::PinRecord* pin = cloth.pin_of(v);
+                      if (pin && pin->motion >= 0) {
+                        out[v] = api::motion_velocity(cloth.motions[size_t(pin->motion)], time);
+                      }
+                    });
+}
+
 /// v = (d_n + d_(n+1))/2dt. Where nothing but forces acts on a vertex that is d/dt + a dt/2 with
 /// every force of the scheme: lagged drag acts on d/dt, central drag on v.
 Status World::read_velocities(ClothId id, double3* out) noexcept {
@@ -158,6 +170,8 @@ Status World::read_velocities(ClothId id, double3* out) noexcept {
     return impl_->context->fail(Status::invalid_argument,
                                 "velocities into a null pointer (there is no room) give a buffer");
   }
+  // XPBD knows no more than where it has gone: its springs are no forces.
+  if (impl_->desc.integrator == Integrator::xpbd) return impl_->read_mean_velocities(id, out);
   Vector<double3> a;
   const Status status = read_cloth(
       impl_, id, api::StateArray::acceleration,

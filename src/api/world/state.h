@@ -115,6 +115,7 @@ struct __attribute__((visibility("hidden"))) World::Impl : HostObject {
   Status report_first_not_finite();
   /// A force beyond the range of fixed64: diverged, or ok when there was none.
   Status find_overflow(api::Overflow&);
+  Status read_mean_velocities(ClothId, double3* out);
   /// Of one in the last step.
   Status report_overflow();
   /// What a collider can touch between now and the end of a step of `dt` wakes up, if it moves.
@@ -159,7 +160,7 @@ struct __attribute__((visibility("hidden"))) World::Impl : HostObject {
   api::Slots<OutputId> output_ids;
   std::optional<WindDesc> wind;
   std::optional<SelfCollisionDesc> self_collision;
-  Vector<NearPair> pairs;  ///< what near_pairs() points to
+  Vector<NearPair> pairs;       ///< what near_pairs() points to
   bool normals_wanted = false;  ///< of meshes, whose triangles then lie on the device
 
   std::unique_ptr<api::Arena> arena;
@@ -188,10 +189,9 @@ struct __attribute__((visibility("hidden"))) World::Impl : HostObject {
   double dt_least = 0, step_seconds = 0, cpu_seconds = 0;
   double time_owed = 0, time_dropped = 0;  ///< s, of advance()
   PhaseTime phases[api::phases_with_laps] = {
-      {"prepare", 0},       {"advance", 0},           {"check", 0},
-      {"advance.reach", 0}, {"advance.springs", 0},   {"advance.hubs", 0},
-      {"advance.sums", 0},  {"advance.particles", 0}, {"advance.survey", 0},
-      {"advance.contacts", 0}};
+      {"prepare", 0},         {"advance", 0},         {"check", 0},        {"advance.reach", 0},
+      {"advance.springs", 0}, {"advance.hubs", 0},    {"advance.sums", 0}, {"advance.particles", 0},
+      {"advance.survey", 0},  {"advance.contacts", 0}};
   StageClock clock;
 
   api::EventList events;

@@ -78,6 +78,7 @@ api::ArenaInput World::Impl::arena_input(uint32_t substeps) const {
   plan::WorldShape& shape = in.shape;
   shape.precision = desc.precision;
   shape.position_form = desc.form == Form::position;
+  shape.projects = desc.integrator == Integrator::xpbd;
   shape.accumulation = accumulation_of(desc.accumulate);
   shape.full_scale = desc.fixed8_range;
   shape.substeps = std::max(1u, substeps);

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "api/context/vector_math.h"
+#include "api/records/projection.h"
 #include "api/world/call_guard.h"
 #include "api/world/state.h"
 #include "scene/stability.h"
@@ -14,6 +15,8 @@ namespace {
 
 constexpr double shortest_substep = 1e-15;
 constexpr double most_substeps = 1e9;
+/// Of XPBD, however small a cloth is.
+constexpr uint32_t least_substeps = 4;
 
 /// The fewest substeps of a frame with dt / n <= limit; beyond most_substeps the size is all that
 /// counts.
@@ -43,9 +46,10 @@ api::ClothRecord& World::Impl::bound_of(api::ClothRecord& cloth) {
     const double speed = api::length(wind->velocity) + api::length(cloth.velocity);
     blown = speed * wind->air_density * std::max(wind->normal, wind->tangential) / 12;
   }
-  const scene::Bound bound = scene::stable_bound(
-      cloth.cooked(),
-      {cloth.pins.empty() ? nullptr : &pinned, lagged, cloth.spring_damping, blown});
+  const bool as_forces = desc.integrator == Integrator::verlet;
+  const scene::Bound bound =
+      scene::stable_bound(cloth.cooked(), {cloth.pins.empty() ? nullptr : &pinned, lagged,
+                                           as_forces ? cloth.spring_damping : 0, blown, as_forces});
   cloth.bound_dt = bound.dt;
   cloth.bound_a = bound.a;
   cloth.bound_b = bound.b;
@@ -79,7 +83,15 @@ Status World::Impl::stride_of(double dt, api::Stride& stride) {
   }
   const Stability bound = tightest();
   stride = {dt, desc.substeps, 0};
-  if (desc.substeps == 0) {
+  if (desc.substeps == 0 && desc.integrator == Integrator::xpbd) {
+    double limit = bound.dt_bound;
+    for (const ClothId id : order) {
+      limit = std::min(limit, api::usual_substep(desc, *cloths[id.index]));
+    }
+    const double most = desc.max_substeps > 0 ? desc.max_substeps : most_substeps;
+    const double least = std::min(double(least_substeps), most);
+    stride.substeps = static_cast<uint32_t>(std::clamp(fewest_substeps(dt, limit), least, most));
+  } else if (desc.substeps == 0) {
     const double limit = desc.safety * bound.dt_bound;
     double n = fewest_substeps(dt, limit);
     if (desc.max_substeps > 0 && n > desc.max_substeps) {

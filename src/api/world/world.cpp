@@ -4,6 +4,7 @@
 #include "api/arena/parts.h"
 #include "api/world/call_guard.h"
 #include "api/records/evaluation.h"
+#include "api/records/projection.h"
 #include "api/context/vector_math.h"
 #include "api/world/state.h"
 #include "scene/check.h"
@@ -12,6 +13,28 @@ namespace weft {
 
 namespace api {
 
+static void check_projection(const WorldDesc& desc) {
+  if (desc.integrator == Integrator::xpbd) {
+    if (desc.form == Form::position) {
+      throw InvalidInput("form is position (xpbd keeps displacements) give summed");
+    }
+    if (desc.evaluation == Evaluation::scatter) {
+      throw InvalidInput(
+          "evaluation is scatter (the springs of xpbd are constraints, and no forces to add up) "
+          "give automatic");
+    }
+  }
+  if (desc.ladder[0] == automatic_ladder) return;
+  for (size_t k = 0; k < std::size(desc.ladder) && desc.ladder[k] != 0; ++k) {
+    const int stride = desc.ladder[k], before = k > 0 ? desc.ladder[k - 1] : 65;
+    if (stride >= 2 && stride < before) continue;
+    throw InvalidInput(
+        text("ladder[%zu] is %d (strides are 2 to 64, largest first) give descending strides, or "
+             "automatic_ladder",
+             k, stride));
+  }
+}
+
 void check_world(const WorldDesc& desc) {
   scene::check_finite(desc.gravity.x, "gravity.x");
   scene::check_finite(desc.gravity.y, "gravity.y");
@@ -19,6 +42,8 @@ void check_world(const WorldDesc& desc) {
   scene::check_choice(int(desc.precision), 2, "precision", "float32, float64");
   scene::check_choice(int(desc.form), 2, "form", "summed, position");
   scene::check_choice(int(desc.start), 2, "start", "taylor, lagged");
+  scene::check_choice(int(desc.integrator), 2, "integrator", "verlet, xpbd");
+  check_projection(desc);
   scene::check_choice(int(desc.evaluation), 3, "evaluation", "automatic, gather, scatter");
   scene::check_choice(int(desc.accumulate), 7, "accumulate",
                       "native, atomic, fixed64, float16, float24, float24_all, fixed8");
@@ -111,6 +136,7 @@ Result<ClothId> World::create_cloth(const ClothDesc& cloth_desc) noexcept {
     start_motions(*record, impl_->time);
     impl_->start_bounds_of(*record);
     choose_evaluation(impl_->desc, impl_->context->backend->info(), *record);
+    choose_colours(impl_->desc, *record);
     const Vector<scene::CookedDiagnostic> remarks = api::remarks_on(*record);
     if (impl_->order.size() == impl_->order.capacity()) {
       impl_->order.reserve(2 * impl_->order.size() + 8);

@@ -9,6 +9,7 @@
 #include "bench/grid.h"
 #include "bench/grid_build.h"
 #include "bench/mesh.h"
+#include "bench/stretch.h"
 
 namespace weft::bench {
 
@@ -37,6 +38,8 @@ const std::vector<Table>& tables() {
        run_accumulate},
       {"collide", "self-collision: pairs found and time, by search, set of points and step size",
        run_collide},
+      {"stretch", "what keeps cloth from stretching costs: methods, substeps, stiffness, motion",
+       run_stretch},
   };
   return all;
 }

@@ -46,7 +46,7 @@ class GridColours {
 
   void direction(const StencilOffset& o, int slot, uint8_t stride) {
     if (stencil_stiffness(o, fabric_.stiffness) == 0 && stride > 1) return;
-    out_.climbs |= stride > 1;
+    out_.longest = std::max(out_.longest, stride);
     const int32_t dr = o.row * stride, dc = o.column * stride;
     block_ = {0, dr * columns_ + dc, static_cast<uint8_t>(slot), 1, 0, stride};
     for (int32_t parity = 0; parity < 2; ++parity) {
@@ -157,12 +157,8 @@ Ladder usual_ladder(const CookedFabric& fabric) {
   Ladder ladder;
   if (!fabric.is_grid) return ladder;
   const uint32_t most = std::max(fabric.grid.rows, fabric.grid.columns);
-  int k = 0;
-  if (most >= 512) ladder.stride[k++] = 16;
-  if (most >= 192) {
-    ladder.stride[k++] = 8;
-    ladder.stride[k++] = 4;
-  }
+  uint8_t stride = most < 64 ? 0 : most < 192 ? 8 : most < 448 ? 16 : 32;
+  for (int k = 0; stride >= 4; stride /= 2) ladder.stride[k++] = stride;
   return ladder;
 }
 

@@ -10,9 +10,10 @@ namespace weft::api {
 /// too many.
 void choose_colours(const WorldDesc&, ClothRecord&);
 
-/// s: substeps of this length keep the 99th percentile of the stretch of a sheet that hangs from
-/// one side and swings below some 3 %. What one pass over the springs leaves of a weight that hangs
-/// on a chain of n springs of length L goes as g h^2 n^2/L (docs/solvers.md).
+/// s: substeps of this length keep the 99th percentile of the stretch below some 3 %, and of a
+/// sheet that hangs from one side and swings below half of that. What one pass over the springs
+/// leaves of a weight that hangs on a chain of n springs of length L goes as g h^2 n^2/L
+/// (docs/solvers.md).
 double usual_substep(const WorldDesc&, const ClothRecord&);
 
 }  // namespace weft::api

@@ -63,8 +63,9 @@ def plots(rows, folder):
 
 
 def page(rows, words):
-    made = {"measured": [f"Measured on {datetime.date.today().isoformat()}: {processor()}, float32; "
-                         "a frame is the median of 70, CPU time of one thread, wall time of two."]}
+    made = {"measured": [f"Measured on {datetime.date.today().isoformat()}: {processor()}, "
+                         "float32; a frame is the median of 70, CPU time of one thread, wall time "
+                         "of two."]}
     for scene, particles in SCENES:
         made[scene.replace(" ", "_")] = scene_table(rows, scene, particles)
     for line in words:

@@ -65,14 +65,25 @@ std::vector<Finding> find_all(const io::Scene& scene, io::RunningScene& made,
   return findings;
 }
 
+/// What "auto" takes. XPBD has no bound that would say: a world without a number of its own does.
+uint64_t automatic_substeps(io::Scene scene, const Stability& stability,
+                            const ContextDesc& context) {
+  if (scene.solver.method != io::Method::xpbd) {
+    return fewest_substeps(scene.time.frame, scene.solver.safety * stability.dt_bound);
+  }
+  scene.time.substeps = 0;
+  io::RunningScene made = io::build(scene, context);
+  const auto substeps = made.world.substeps(scene.time.frame);
+  return substeps ? *substeps : 0;
+}
+
 void print_human(const io::Scene& scene, const io::RunningScene& made, const Stats& stats,
-                 const Stability& stability, uint64_t bytes, const std::vector<Finding>& findings) {
+                 const Stability& stability, uint64_t automatic, uint64_t bytes,
+                 const std::vector<Finding>& findings) {
   std::string bound = "unlimited";
   if (std::isfinite(stability.dt_bound)) {
     bound = seconds_text(stability.dt_bound) + ", set by " + worst_element(scene, made, stability);
   }
-  const uint64_t automatic =
-      fewest_substeps(scene.time.frame, scene.solver.safety * stability.dt_bound);
   std::vector<std::pair<std::string, std::string>> lines{
       {"scene", scene.file},
       {"particles", std::to_string(stats.particles)},
@@ -104,7 +115,8 @@ int check_command(const CommonOptions& options) {
   const PlanInfo& plan = *planned;
   const std::vector<Finding> findings = find_all(scene, made, stability, plan.bytes_total);
   if (!options.json) {
-    print_human(scene, made, stats, stability, plan.bytes_total, findings);
+    print_human(scene, made, stats, stability, automatic_substeps(scene, stability, desc),
+                plan.bytes_total, findings);
     return done;
   }
   Json json{{"particles", stats.particles}, {"springs", stats.springs}, {"dt_bound", nullptr}};

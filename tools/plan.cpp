@@ -15,7 +15,7 @@
 namespace weft::tools {
 namespace {
 
-void print_table(const PlanInfo& plan) {
+void print_table(const PlanInfo& plan, bool as_forces) {
   int width = 6;
   for (uint32_t i = 0; i < plan.passes.count; ++i) {
     width = std::max(width, int(std::strlen(plan.passes[i].kernel)));
@@ -31,7 +31,7 @@ void print_table(const PlanInfo& plan) {
                   pass.bytes_per_particle, pass.flops_per_particle);
     text += line;
   }
-  for (uint32_t i = 0; i < plan.evaluations.count; ++i) {
+  for (uint32_t i = 0; as_forces && i < plan.evaluations.count; ++i) {
     const EvaluationInfo& e = plan.evaluations[i];
     std::snprintf(line, sizeof line,
                   "cloth %u: %s (model, ns per substep on one thread: gather %.0f, scatter %.0f)\n",
@@ -51,7 +51,7 @@ int plan_command(const CommonOptions& options) {
   made.require(planned.status(), scene.file);
   const PlanInfo& plan = *planned;
   if (!options.json) {
-    print_table(plan);
+    print_table(plan, scene.solver.method == io::Method::verlet);
     return done;
   }
   nlohmann::ordered_json json{{"passes", nlohmann::ordered_json::array()}};

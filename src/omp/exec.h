@@ -232,9 +232,8 @@ class Exec {
     return cpu_ ? cpu_seconds(of) - begin : 0;
   }
 
-  /// A second thread pays from about 1000 particles.
   static int useful_threads(int blocks, int wanted) {
-    const int most = blocks / 16 > 1 ? blocks / 16 : 1;
+    const int most = blocks / blocks_a_thread > 1 ? blocks / blocks_a_thread : 1;
     return wanted < most ? wanted : most;
   }
 

@@ -92,7 +92,7 @@ class BackendOf final : public Backend {
  private:
   template <class T>
   static auto exec(const Frame<T>& f) {
-    return Device::exec(f.sim.blocks, f.workers);
+    return Device::exec(blocks_to_share(f.sim), f.workers);
   }
   template <class T>
   static Status do_frame(Frame<T>& f) {

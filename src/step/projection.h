@@ -5,9 +5,26 @@
 #include "step/exec_contract.h"
 #include "step/fans.h"
 #include "step/variants.h"
+#include "step/workers.h"
 
 namespace weft {
 namespace WEFT_BACKEND_NS {
+
+/// Blocks of a colour that are worth waiting for each other.
+constexpr int worth_meeting = 128;
+
+/// Blocks that threads are chosen by: all, but where springs are constraints and nothing else is
+/// much work, no more than there are cloths to take.
+template <class T>
+int blocks_to_share(const Simulation<T>& sim) {
+  const ColourTable& table = sim.coloured.table;
+  const bool more = sim.windy || sim.contacts.state != nullptr || sim.reach != nullptr;
+  if (table.colours == 0 || more) return sim.blocks;
+  const int64_t all = table.work[table.cloths];
+  if (all >= int64_t(worth_meeting) * table.colours) return sim.blocks;
+  const int threads = static_cast<int>(all / table.most_of_a_cloth);
+  return sim.blocks < blocks_a_thread * threads ? sim.blocks : blocks_a_thread * threads;
+}
 
 /// Where particles would be without springs. Pins are placed: springs pull to where they are at the
 /// end of the substep.
@@ -23,9 +40,6 @@ void predict(const Team& team, const Simulation<T>& sim, const ParticleBuffers<T
     });
   }
 }
-
-/// Blocks of a colour that are worth waiting for each other.
-constexpr int worth_meeting = 128;
 
 /// Whether threads take cloths, and not the springs of a colour: where no cloth keeps the others
 /// waiting, or the colours are too small to share.

@@ -6,6 +6,9 @@
 
 namespace weft {
 
+/// A second thread pays from about 1000 particles.
+constexpr int blocks_a_thread = 16;
+
 struct Workers {
   int threads;                  ///< most that the host back end may use
   const Jobs* jobs = nullptr;   ///< the caller's; null: the back end's own

@@ -26,23 +26,25 @@ weft::ClothId add_one(TestWorld& test, int which) {
 }
 uint32_t vertices_of(int which) { return (3 + uint32_t(which) % 7) * (4 + uint32_t(which) % 5); }
 
-weft::WorldDesc falling(weft::Precision precision) {
+weft::WorldDesc falling(weft::Precision precision,
+                        weft::Integrator integrator = weft::Integrator::verlet) {
   weft::WorldDesc desc = plain_world(precision);
+  desc.integrator = integrator;
   desc.gravity = {0, -9.81, 0};
   return desc;
 }
 
-TEST_P(ManyCloths, InOneWorldMoveAsEachAlone) {
+void expect_each_as_alone(const weft::WorldDesc& desc) {
   const int crowd = 60;
   weft::ContextDesc context = TestWorld::one_thread();
   context.threads = 3;
-  TestWorld together(falling(GetParam()), context);
+  TestWorld together(desc, context);
   add_colliders(together);
   std::vector<weft::ClothId> cloths;
   for (int which = 0; which < crowd; ++which) cloths.push_back(add_one(together, which));
   together.step(5e-4, 200);
   for (int which = 0; which < crowd; ++which) {
-    TestWorld alone(falling(GetParam()));
+    TestWorld alone(desc);
     add_colliders(alone);
     const weft::ClothId cloth = add_one(alone, which);
     alone.step(5e-4, 200);
@@ -54,6 +56,11 @@ TEST_P(ManyCloths, InOneWorldMoveAsEachAlone) {
       ASSERT_TRUE(same_bits(va[i], vb[i])) << which << ' ' << i;
     }
   }
+}
+
+TEST_P(ManyCloths, InOneWorldMoveAsEachAlone) { expect_each_as_alone(falling(GetParam())); }
+TEST_P(ManyCloths, OfConstraintsMoveAsEachAlone) {
+  expect_each_as_alone(falling(GetParam(), weft::Integrator::xpbd));
 }
 
 TEST_P(ManyCloths, CreatingAndDestroyingOthersChangesNoBit) {

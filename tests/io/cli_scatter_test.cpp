@@ -45,7 +45,9 @@ TEST_F(CliScatter, EverySampleSceneHasTheSameHashBothWays) {
   for (const auto& entry : std::filesystem::directory_iterator(WEFT_SAMPLE_SCENES)) {
     if (entry.path().extension() != ".json") continue;
     Json json = sample_scene(entry.path());
-    if (json.is_null() || json["solver"].value("integrator", "verlet") != "verlet") continue;
+    if (json.is_null()) continue;
+    const Json::json_pointer integrator("/solver/integrator");
+    if (json.value(integrator, "verlet") != "verlet") continue;  // its springs are no forces
     ++scenes;
     // A single frame of the folding sheet, which has the most particles and contact.
     const std::string time = entry.path().stem() == "fold" ? "0.01" : "0.04";

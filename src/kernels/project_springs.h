@@ -227,9 +227,29 @@ struct ProjectCloths {
   template <int N>
   WEFT_HD void operator()(int cloth, int, Lanes<N> lanes) const {
     static_assert(N == block_size, "a host's kernel");
+    const ColourSweep sweep = table.sweep[cloth];
+    if (sweep.rows > 0) return sweep_rows(sweep, lanes);
     for (int colour = 0; colour < table.colours; ++colour) {
       const int32_t* start = table.of + colour * (table.cloths + 1) + cloth;
       for (int block = start[0]; block < start[1]; ++block) springs(block, 0, lanes);
+    }
+  }
+
+ private:
+  /// Rows are read once while they are in the cache. Any two springs that share a particle come in
+  /// the order of their colours.
+  template <int N>
+  WEFT_HD void sweep_rows(const ColourSweep& sweep, Lanes<N> lanes) const {
+    constexpr int together = 4;  // rows
+    const int rows = sweep.rows, end = rows + sweep.lag[sweep.colours - 1];
+    for (int row = 0; row < end; row += together) {
+      for (int colour = 0; colour < sweep.colours; ++colour) {
+        const int first = row - sweep.lag[colour], last = first + together;
+        if (last <= 0 || first >= rows) continue;
+        const int32_t* start = sweep.row_start + colour * (rows + 1);
+        const int begin = start[first < 0 ? 0 : first], stop = start[last < rows ? last : rows];
+        for (int block = begin; block < stop; ++block) springs(block, 0, lanes);
+      }
     }
   }
 };

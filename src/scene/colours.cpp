@@ -59,6 +59,7 @@ class GridColours {
       }
       if (out_.blocks.size() > out_.start.back()) {
         out_.start.push_back(static_cast<uint32_t>(out_.blocks.size()));
+        out_.rows_up.push_back(dr);
       }
     }
   }

@@ -26,7 +26,8 @@ struct Colours {
   /// Of meshes and networks: by colour, each filled up to blocks of 32 with springs that join a
   /// vertex to itself.
   Vector<Edge> springs;
-  uint8_t longest = 1;   ///< stride
+  Vector<int32_t> rows_up;  ///< of grids: by colour, rows from end a to end b
+  uint8_t longest = 1;      ///< stride
   uint32_t most_at = 0;  ///< a vertex of the most springs, caller index, where there are too many
   uint32_t valence = 0;  ///< and its springs
 

@@ -18,14 +18,23 @@ struct SpringBlock {
   uint8_t stride;  ///< above 1: as long as so many springs in a row, and only pulls
 };
 
+/// All colours of a large grid in one pass over its rows: colour c is as many rows behind the first
+/// one as every spring that comes before one of its own needs to be done. `rows` 0: a small cloth.
+struct ColourSweep {
+  int32_t rows, colours;
+  const int32_t* lag;        ///< by colour
+  const int32_t* row_start;  ///< by colour and row, each colour one more than rows: first block
+};
+
 /// Where the blocks of a colour, and of a cloth within it, begin. For the host that orders the
 /// passes, in memory of its own.
 struct ColourTable {
   int32_t colours, cloths;
-  const int32_t* start;     ///< by colour, and one more
-  const int32_t* of;        ///< by colour and cloth, each colour one more than cloths
-  const int32_t* work;      ///< by cloth, and one more: blocks before it
-  int32_t most_of_a_cloth;  ///< blocks
+  const int32_t* start;      ///< by colour, and one more
+  const int32_t* of;         ///< by colour and cloth, each colour one more than cloths
+  const int32_t* work;       ///< by cloth, and one more: blocks before it
+  const ColourSweep* sweep;  ///< by cloth
+  int32_t most_of_a_cloth;   ///< blocks
 };
 
 /// Springs of all cloths by colour, where they are constraints (XPBD).

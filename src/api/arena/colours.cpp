@@ -22,8 +22,37 @@ ColourStarts::ColourStarts(const ArenaInput& in) : cloths_(static_cast<int>(in.c
   }
   start_.push_back(at);
   for (const ClothRecord* cloth : in.cloths) {
+    add_sweep(*cloth, work_.size() - 1);
     work_.push_back(work_.back() + static_cast<int32_t>(cloth->colours->blocks.size()));
   }
+}
+
+/// A grid of more particles than the cache of a core holds between two colours.
+constexpr uint32_t large_grid = 32768;
+
+void ColourStarts::add_sweep(const ClothRecord& cloth, size_t index) {
+  const scene::CookedFabric& fabric = cloth.cooked();
+  const scene::Colours& own = *cloth.colours;
+  sweep_.push_back({});
+  if (!fabric.is_grid || fabric.vertices < large_grid || own.count() == 0) return;
+  const auto rows = static_cast<int32_t>(fabric.grid.rows);
+  const auto columns = static_cast<int32_t>(fabric.grid.columns);
+  Vector<int32_t> lag, row_start;
+  int32_t behind = 0;
+  for (uint32_t c = 0; c < own.count(); ++c) {
+    behind += c > 0 ? own.rows_up[c] : 0;
+    lag.push_back(behind);
+    const int32_t first = of_[c * (static_cast<size_t>(cloths_) + 1) + index];
+    uint32_t block = own.start[c];
+    for (int32_t row = 0; row <= rows; ++row) {
+      while (block < own.start[c + 1] && own.blocks[block].first < row * columns) ++block;
+      row_start.push_back(first + static_cast<int32_t>(block - own.start[c]));
+    }
+  }
+  lag_.push_back(std::move(lag));
+  row_start_.push_back(std::move(row_start));
+  sweep_.back() = {rows, static_cast<int32_t>(own.count()), lag_.back().data(),
+                   row_start_.back().data()};
 }
 
 ColourTable ColourStarts::table() const {
@@ -35,6 +64,7 @@ ColourTable ColourStarts::table() const {
           start_.data(),
           of_.data(),
           work_.data(),
+          sweep_.data(),
           most};
 }
 

@@ -14,7 +14,11 @@ class ColourStarts {
 
  private:
   int cloths_ = 0;
+  void add_sweep(const ClothRecord&, size_t cloth);
+
   Vector<int32_t> start_, of_, work_{0};
+  Vector<ColourSweep> sweep_;
+  Vector<Vector<int32_t>> lag_, row_start_;  ///< by large cloth
 };
 /// Writes the blocks in that order.
 void fill_spring_blocks(const ArenaInput&, SpringBlock*);

@@ -74,6 +74,16 @@ weft::WorldDesc Run::world_desc(Random& r) const {
     d.fixed8_range = r.real(0.5, 2);
   }
   d.profile = r.chance(0.2);
+  if (r.chance(0.35)) {
+    d.integrator = weft::Integrator::xpbd;
+    d.form = weft::Form::summed;
+    d.evaluation = weft::Evaluation::automatic;
+    d.accumulate = weft::Accumulate::native;
+  }
+  if (r.chance(0.3)) {
+    d.ladder[0] = uint8_t(r.from_to(3, 9));
+    d.ladder[1] = 2;
+  }
   return d;
 }
 

@@ -18,6 +18,12 @@ const PinRecord* ClothRecord::pin_of(uint32_t vertex) const {
   return at != pins.end() && at->vertex == vertex ? &*at : nullptr;
 }
 
+void check_collision_distance(double distance, const char* field) {
+  if (distance <= most_collision_distance) return;
+  throw InvalidInput(
+      text("%s is %g m (particles meet within 1e12 m at most) give less", field, distance));
+}
+
 double collision_distance_of(const ClothRecord& cloth, const SelfCollisionDesc& desc) {
   return cloth.collision_distance > 0 ? cloth.collision_distance : desc.distance;
 }
@@ -211,6 +217,7 @@ void fill_record(const ClothDesc& desc, ClothRecord& cloth) {
   for (const ClothNumber& number : cloth_numbers) {
     scene::check_not_negative(desc.*number.value, number.name);
   }
+  check_collision_distance(desc.collision_distance, "collision_distance");
   scene::check_choice(int(desc.drag_model), 2, "drag_model", "central, lagged");
   scene::check_choice(desc.collides_itself, 2, "collides_itself", "0, 1");
   scene::check_choice(desc.collides_others, 2, "collides_others", "0, 1");

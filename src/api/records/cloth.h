@@ -115,6 +115,9 @@ struct ClothRecord : ClothSettings, HostObject {
   uint32_t bound_a = 0, bound_b = 0;
 };
 
+/// m: the search for near particles calls 1e15 m endless; throws InvalidInput above.
+constexpr double most_collision_distance = 1e12;
+void check_collision_distance(double distance, const char* field);
 /// m: nearer than this its particles touch.
 double collision_distance_of(const ClothRecord&, const SelfCollisionDesc&);
 /// Pairs of this cloth that self-collision leaves out. Counted once for each distance.

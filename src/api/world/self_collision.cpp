@@ -9,6 +9,7 @@ inline namespace v0 {
 static void check_self_collision(const SelfCollisionDesc& d) {
   scene::check_choice(int(d.search), 2, "self_collision.search", "complete, staggered");
   scene::check_positive(d.distance, "self_collision.distance");
+  api::check_collision_distance(d.distance, "self_collision.distance");
   scene::check_not_negative(d.friction, "self_collision.friction");
   scene::check_positive(d.cell, "self_collision.cell");
   scene::check_choice(int(d.shifts), 2, "self_collision.shifts", "corner, diagonal");

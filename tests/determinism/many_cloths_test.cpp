@@ -1,5 +1,6 @@
 // Cloths that share a world, or a fabric, do not touch each other by a bit (HC13).
 #include "determinism/scenes.h"
+#include "reference/effects.h"
 
 #include <algorithm>
 
@@ -61,6 +62,31 @@ void expect_each_as_alone(const weft::WorldDesc& desc) {
 TEST_P(ManyCloths, InOneWorldMoveAsEachAlone) { expect_each_as_alone(falling(GetParam())); }
 TEST_P(ManyCloths, OfConstraintsMoveAsEachAlone) {
   expect_each_as_alone(falling(GetParam(), weft::Integrator::xpbd));
+}
+
+/// A mesh that flies 80 m, so that its origin has followed it, when another cloth comes and goes:
+/// its device memory is made anew, and not a bit of its rest lengths is another.
+TEST_P(ManyCloths, ComingAndGoingOnTheWayChangesNoBit) {
+  for (const auto integrator : {weft::Integrator::verlet, weft::Integrator::xpbd}) {
+    const auto flown = [&](bool with_another) {
+      TestWorld test(falling(GetParam(), integrator));
+      weft::Material material;
+      material.mass.value = 0.2;
+      material.stiffness = 40;
+      weft::ClothDesc desc;
+      desc.pose = {{1, 2, 3}, 31, {0.3, 0.7, 0.2}};
+      desc.velocity = {80, 3, 1};
+      const weft::ClothId cloth =
+          add_mesh_cloth(test, reference::sheet(0.6, 15, 0.1), material, desc);
+      test.step(1e-3, 1000);
+      const auto vertices = static_cast<uint32_t>(test.positions(cloth).size());
+      if (with_another) test.check(test.world().destroy_cloth(add_one(test, 3)));
+      test.step(1e-3, 50);
+      return test.positions(cloth, vertices);
+    };
+    const std::vector<Vec> alone = flown(false), met = flown(true);
+    for (size_t i = 0; i < alone.size(); ++i) ASSERT_TRUE(same_bits(alone[i], met[i])) << i;
+  }
 }
 
 TEST_P(ManyCloths, CreatingAndDestroyingOthersChangesNoBit) {

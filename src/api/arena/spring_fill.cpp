@@ -65,7 +65,7 @@ void SpringFiller<T>::fill(const ClothRecord& cloth) {
   }
   rest_shape_.resize(fabric.vertices);
   for (uint32_t v = 0; v < fabric.vertices; ++v) {
-    rest_shape_[v] = narrow<T>(minus(posed(cloth, v), cloth.origin));
+    rest_shape_[v] = narrow<T>(minus(posed(cloth, v), cloth.rest_origin));
   }
   if (cloth.scatters) {
     fill_edges(cloth);

@@ -200,6 +200,7 @@ void set_origin(ClothRecord& cloth) {
   const Spread x = spread_of(cloth, &double3::x), y = spread_of(cloth, &double3::y),
                z = spread_of(cloth, &double3::z);
   cloth.origin = {std::nearbyint(x.middle), std::nearbyint(y.middle), std::nearbyint(z.middle)};
+  cloth.rest_origin = cloth.origin;
   cloth.extent = std::max({x.extent, y.extent, z.extent});
 }
 

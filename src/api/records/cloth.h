@@ -61,6 +61,9 @@ struct ClothRecord : ClothSettings, HostObject {
   /// Whole metres; device positions are relative to it. It follows the cloth between frames, where
   /// that rounds nothing.
   double3 origin{0, 0, 0};
+  /// The first one: what is computed of the rest shape in the device's precision is relative to it,
+  /// so that no bit of it depends on where the cloth is when memory is made anew.
+  double3 rest_origin{0, 0, 0};
   double extent = 0;        ///< m: from the middle to most of the particles at the start
   double3 middle{0, 0, 0};  ///< local, of the last survey: the median of a sample
 

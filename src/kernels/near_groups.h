@@ -17,8 +17,10 @@
 namespace weft {
 namespace WEFT_BACKEND_NS {
 
-/// ContactGroups::apart of a pair that was not looked into before.
-constexpr uint64_t nobody_asked = ~uint64_t(0);
+/// ContactGroups::apart of a pair that was not looked into before: a value that hardly any has, and
+/// that does no harm to one that has it. And of what fills up a row: where particles go further
+/// than any distance, it is looked into too, and must find nobody a second time.
+constexpr uint64_t nobody_asked = 0x5555aaaa5555aaaaull, all_apart = ~uint64_t(0);
 
 /// Whether any particle of cloth `a` may meet one of `b`.
 WEFT_HD bool cloths_meet(const ContactCloth* cloth, int a, int b) {
@@ -139,7 +141,7 @@ struct PairGroups {
     for (int k = 0; k < padded; ++k) {
       const int other = k < found ? others[k] : group;
       T room = k < found ? left[k] : T(endless);
-      uint64_t apart = nobody_asked;
+      uint64_t apart = k < found ? nobody_asked : all_apart;
       while (old < end && groups.other[old] < other) ++old;  // both go up, but for filling
       const bool filling = old < end && groups.left[old] > T(0.5 * endless);
       if (old < end && k < found && groups.other[old] == other && !filling) {

@@ -104,7 +104,7 @@ struct AdvanceParticles {
   WEFT_HD bool place(const ClothParams<T>& cloth, const Region& region, int i0, Lanes<N> lanes,
                      const LaneVec3<T, N>& force) const {
     if constexpr (Springs::projected) {
-      return stages.keep_projected(region, i0, lanes);
+      return stages.take_displacement(region, i0, lanes);
     } else {
       return stages.integrate(cloth, region, i0, lanes, force);
     }

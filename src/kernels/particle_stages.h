@@ -67,19 +67,18 @@ struct ParticleStages {
     return integrate_otherwise(cloth, region, i0, lanes, force);
   }
 
-  /// Where springs have moved a particle from its prediction x + d, that is part of its
-  /// displacement; and what the prediction had lost to rounding stays there.
+  /// Where the displacement leads that springs have changed; pins are there already.
   template <class Region, int N>
-  WEFT_HD bool keep_projected(const Region& within, int i0, Lanes<N> lanes) const {
+  WEFT_HD bool take_displacement(const Region& within, int i0, Lanes<N> lanes) const {
     const ParticleBuffers<T> of = p;
     const T* inverse_mass = sim.inverse_mass;
     const Region region = within;
     return region.any_outside(lanes, [=](int l) WEFT_LANE {
       const int i = i0 + l;
-      const Vec3<T> y = load(of.x_out, i), d = load(of.d_out, i);
-      const Vec3<T> by = y - (load(of.x_in, i) + d);
-      store(of.d_out, i, d + if_free(inverse_mass[i], by));
-      return y;
+      const Vec3<T> placed = load(of.x_out, i), to = load(of.x_in, i) + load(of.d_out, i);
+      const Vec3<T> x = select(inverse_mass[i] > T(0), to, placed);
+      store(of.x_out, i, x);
+      return x;
     });
   }
 

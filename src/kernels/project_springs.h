@@ -11,9 +11,10 @@
 //
 //     s = (k h^2 (l - L) + b h u)/(l ((k h^2 + b h)(w_i + w_j) + 1))
 //
-// Before: AdvanceParticles with Unsprung (forces without springs, prediction y, pins). Behind:
-// with Projected, which makes of y a displacement. What the prediction has lost of it to rounding
-// stays in it: h^2 g is below the last bit of y from 40 substeps of 1/60 s on.
+// y is never rounded: it is x_n, which stays, and the displacement d = y - x_n, which springs
+// change. Both h^2 g and what a soft spring corrects are below the last bit of y from some 40
+// substeps of 1/60 s on. Before: AdvanceParticles with Unsprung (forces without springs, the
+// prediction, pins). Behind: with Projected, x_(n+1) = x_n + d.
 #pragma once
 
 #include "base/lanes.h"
@@ -161,31 +162,32 @@ struct ProjectSprings {
   template <int Step, class Law, int N>
   WEFT_HD void springs(const Law& law_of_all, T rest, int i0, int shift, Lanes<N> lanes) const {
     const Law law = law_of_all;
-    const Vec3Array<T> y = p.x_out, x = p.x_in;
+    const Vec3Array<T> x = p.x_in, d = p.d_out;
     const T* inverse_mass = sim.inverse_mass;
     lanes.each([=](int l) WEFT_LANE {
       const int i = i0 + Step * l;
-      relax(law, y, x, inverse_mass, i, i + (Step == 2 ? 1 : Step == 4 ? 2 : shift), rest);
-      if constexpr (Step == 4) relax(law, y, x, inverse_mass, i + 1, i + 3, rest);
+      relax(law, x, d, inverse_mass, i, i + (Step == 2 ? 1 : Step == 4 ? 2 : shift), rest);
+      if constexpr (Step == 4) relax(law, x, d, inverse_mass, i + 1, i + 3, rest);
     });
   }
 
   template <class Law>
-  WEFT_HD static void relax(const Law& law, Vec3Array<T> y, Vec3Array<T> x, const T* inverse_mass,
+  WEFT_HD static void relax(const Law& law, Vec3Array<T> x, Vec3Array<T> d, const T* inverse_mass,
                             int i, int j, T rest) {
-    const Vec3<T> a = load(y, i), b = load(y, j), to = b - a;
+    const Vec3<T> a = load(d, i), b = load(d, j), gained = b - a;
+    const Vec3<T> to = (load(x, j) - load(x, i)) + gained;
     const T wa = inverse_mass[i], wb = inverse_mass[j];
     T along = T(0);
-    if constexpr (Law::damps) along = dot(to, to - (load(x, j) - load(x, i)));
+    if constexpr (Law::damps) along = dot(to, gained);
     const T s = law.scale(square_root(dot(to, to)), rest, wa + wb, along);
-    store(y, i, a + (wa * s) * to);
-    store(y, j, b - (wb * s) * to);
+    store(d, i, a + (wa * s) * to);
+    store(d, j, b - (wb * s) * to);
   }
 
   template <bool Damps, int N>
   WEFT_HD_COLD void project_listed(const SpringBlock& block, const ClothParams<T>& cloth, int lane0,
                                    Lanes<N> lanes) const {
-    const Vec3Array<T> y = p.x_out, x = p.x_in;
+    const Vec3Array<T> x = p.x_in, d = p.d_out;
     const T* inverse_mass = sim.inverse_mass;
     const int32_t *a = sim.coloured.a + block.first + lane0,
                   *b = sim.coloured.b + block.first + lane0;
@@ -195,21 +197,21 @@ struct ProjectSprings {
     LaneVec3<T, N> of_a, of_b;
     lanes.each([&](int l) WEFT_LANE {
       const int i = a[l], j = b[l];
-      const Vec3<T> from = load(y, i), to_point = load(y, j), to = to_point - from;
+      const Vec3<T> d_a = load(d, i), d_b = load(d, j), gained = d_b - d_a;
+      const Vec3<T> to = (load(x, j) - load(x, i)) + gained;
       const T wa = inverse_mass[i], wb = inverse_mass[j], length = square_root(dot(to, to));
       T s;
       if constexpr (Damps) {
-        const T along = dot(to, to - (load(x, j) - load(x, i)));
-        s = Damped<T>{stiffness[l] * h2, brake}.scale(length, rest[l], wa + wb, along);
+        s = Damped<T>{stiffness[l] * h2, brake}.scale(length, rest[l], wa + wb, dot(to, gained));
       } else {
         s = Elastic<T>{give_of(stiffness[l], h2)}.scale(length, rest[l], wa + wb, T(0));
       }
-      of_a.set(l, from + (wa * s) * to);
-      of_b.set(l, to_point - (wb * s) * to);
+      of_a.set(l, d_a + (wa * s) * to);
+      of_b.set(l, d_b - (wb * s) * to);
     });
     for (int l = 0; l < N && lane0 + l < block.count; ++l) {
-      store(y, a[l], of_a.get(l));
-      store(y, b[l], of_b.get(l));
+      store(d, a[l], of_a.get(l));
+      store(d, b[l], of_b.get(l));
     }
   }
 };

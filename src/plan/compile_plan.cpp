@@ -15,8 +15,8 @@ constexpr double sum_flops = 3;              // of a force that is there already
 constexpr double integrate_flops = 22;       // w f + g, r d + h a, x + d
 constexpr double drag_flops = 10;
 // kernels/project_springs.h: difference, length, scale, two ends; with what l has gained.
-constexpr double projection_flops = 31, projection_damping_flops = 19;
-constexpr double keep_flops = 9;  // displacement from what the springs have done
+constexpr double projection_flops = 37, projection_damping_flops = 10;
+constexpr double keep_flops = 3;  // the position that the displacement leads to
 constexpr double pin_flops = 9;
 constexpr double wind_flops = 84;    // of one triangle, for one of its corners
 constexpr double region_flops = 6;   // has the block left the region of its list of colliders?
@@ -138,12 +138,11 @@ void add_projection(const WorldShape& world, Plan& plan) {
     const uint64_t own = c.directed_springs / 2 + c.ladder_springs;
     springs += own;
     colours = std::max(colours, c.colours);
-    // Both ends are read and written in every colour: positions, inverse masses.
-    bytes += 14 * scalar * static_cast<double>(own) + sizeof(SpringBlock) * double(c.spring_blocks);
+    // Of both ends, in every colour: positions, displacements there and back, inverse masses.
+    bytes += 20 * scalar * static_cast<double>(own) + sizeof(SpringBlock) * double(c.spring_blocks);
     bytes += (8 + 2 * scalar) * static_cast<double>(c.coloured_springs);
     flops += projection_flops * static_cast<double>(own);
     if (c.spring_damping) {
-      bytes += 6 * scalar * static_cast<double>(c.directed_springs / 2);
       flops += projection_damping_flops * static_cast<double>(c.directed_springs / 2);
     }
   }

@@ -15,7 +15,8 @@ class LargeXpbd : public BothPrecisions {
     desc.integrator = weft::Integrator::xpbd;
     desc.gravity = {0, 0, -9.81};
     desc.substeps = 10;
-    if (!with_ladder) desc.ladder[0] = 0;
+    desc.ladder[0] = with_ladder ? 8 : 0;
+    desc.ladder[1] = with_ladder ? 4 : 0;
     TestWorld test(desc, context);
     Sheet large;
     large.rows = 131;

@@ -233,6 +233,49 @@ TEST_P(Xpbd, FallsAtAnySubstep) {
   }
 }
 
+/// What a soft spring corrects in a substep may be below the last bit of a position: it carries all
+/// the same, and a sheet beside it has the stretch of its stiffness.
+TEST_P(Xpbd, SoftSpringsCarryAtAnySubstep) {
+  for (const uint32_t substeps : {10u, 300u, 1000u}) {
+    NetworkParts parts;
+    parts.positions = {{0, 0, 0}, {0, 0, -1}};
+    parts.masses = {1};
+    parts.pins = {0};
+    parts.springs = {{0, 1, 100, 1}};
+    weft::WorldDesc desc = xpbd_world(GetParam());
+    desc.gravity = {0, 0, -9.81};
+    desc.substeps = substeps;
+    TestWorld test(desc);
+    weft::ClothDesc cloth;
+    cloth.spring_damping = 5;
+    const weft::ClothId id = add_network(test, parts, cloth);
+    test.step(1.0 / 60, 600);
+    EXPECT_NEAR(-1 - test.position(id, 1).z, 0.0981, 5e-4) << substeps;
+  }
+}
+
+/// Soft grids get no long springs of themselves, which would stiffen them: one of 70 rows sags like
+/// the sum of what hangs on each row.
+TEST(XpbdLadder, LeavesSoftClothSoft) {
+  weft::WorldDesc desc = xpbd_world();
+  desc.gravity = {0, -9.81, 0};
+  desc.substeps = 60;
+  TestWorld test(desc);
+  weft::GridDesc grid;
+  grid.rows = grid.columns = 70;
+  grid.stencil = weft::Stencil::quad4;
+  grid.material.stiffness = 50;
+  std::vector<weft::Pin> pins;
+  for (uint32_t c = 0; c < 70; ++c) pins.push_back({69 * 70 + c});
+  weft::ClothDesc cloth;
+  cloth.pins = pins;
+  cloth.drag = 5.0 / 4900;
+  const weft::ClothId id = test.add(grid, cloth);
+  test.step(1.0 / 60, 600);
+  const double weight = 9.81 / 4900;  // of a vertex
+  EXPECT_NEAR(-test.positions(id)[35].y, weight / 50 * 69 * 70 / 2, 0.003);
+}
+
 /// Masses of a ratio of 1e6 and stiffnesses of 1e8 in one cloth, at any step.
 TEST_P(Xpbd, StandsExtremes) {
   for (const double dt : {1e-4, 1.0 / 30, 1.0}) {
@@ -301,6 +344,47 @@ TEST(XpbdSubsteps, AreBoundByNothing) {
   EXPECT_LE(test.take(test.world().substeps(0.5)), 5u);
   test.step(0.5);
   EXPECT_EQ(test.world().time(), 0.5);
+}
+
+/// Lagged drag does bound the step: then the rest of it is dropped, as with Verlet.
+TEST(XpbdSubsteps, OfLaggedDragDropTime) {
+  Sheet sheet;
+  sheet.vertex_mass = 1e-4;
+  weft::WorldDesc desc = xpbd_world();
+  desc.substeps = 0;
+  desc.max_substeps = 8;
+  TestWorld test(desc);
+  weft::ClothDesc cloth;
+  cloth.drag = 0.5;
+  cloth.drag_model = weft::DragModel::lagged;
+  sheet.add_to(test, cloth);
+  test.step(1.0 / 60);
+  EXPECT_GT(test.world().stats().time_dropped, 0);
+  desc.substeps = 2;
+  TestWorld fixed(desc);
+  sheet.add_to(fixed, cloth);
+  EXPECT_EQ(fixed.world().step(1.0 / 60), weft::Status::unstable_step);
+  EXPECT_NE(fixed.log().find("the drag of vertex"), std::string::npos) << fixed.log();
+}
+
+/// The length of a chain counts along it: a thin strap needs no more than a wide one.
+TEST(XpbdSubsteps, OfAStrapAreNotThoseOfItsWidth) {
+  const auto substeps = [](double width) {
+    weft::WorldDesc desc = xpbd_world();
+    desc.substeps = 0;
+    desc.gravity = {0, -9.81, 0};
+    TestWorld test(desc);
+    weft::GridDesc grid;
+    grid.rows = 41;
+    grid.columns = 3;
+    grid.height = 2;
+    grid.width = width;
+    grid.material.stiffness = 1e5;
+    test.add(grid, {});
+    return test.take(test.world().substeps(1.0 / 60));
+  };
+  EXPECT_EQ(substeps(0.1), substeps(0.02));
+  EXPECT_LT(substeps(0.1), 20u);
 }
 
 }  // namespace

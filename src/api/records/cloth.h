@@ -82,7 +82,7 @@ struct ClothRecord : ClothSettings, HostObject {
   uint32_t most_springs = 0;  ///< of a vertex
 
   std::shared_ptr<const scene::Colours> colours;  ///< XPBD: its springs (projection.h)
-  double chain = 0;                               ///< 1/m: extent / (spring length)^2
+  double chain = 0;                               ///< 1/m: length / (spring length)^2
 
   bool asleep = false;
   double calm = 0;   ///< s: how long nothing has been faster than sleep_speed

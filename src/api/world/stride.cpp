@@ -16,7 +16,7 @@ namespace {
 constexpr double shortest_substep = 1e-15;
 constexpr double most_substeps = 1e9;
 /// Of XPBD, however small a cloth is.
-constexpr uint32_t least_substeps = 4;
+constexpr double least_substeps = 4;
 
 /// The fewest substeps of a frame with dt / n <= limit; beyond most_substeps the size is all that
 /// counts.
@@ -69,11 +69,17 @@ Stability World::Impl::tightest() {
 }
 
 Text World::Impl::bound_text(const Stability& bound, double dt, uint32_t substeps) {
+  const double enough = fewest_substeps(dt, bound.dt_bound);
+  if (bound.a == bound.b) {
+    return text(
+        "%u substeps of %.6g s (the stable bound is %.6g s, set by the drag of vertex %u of cloth "
+        "%u) use at least %.0f substeps, or allow unsafe steps",
+        substeps, dt / substeps, bound.dt_bound, bound.a, bound.cloth.index, enough);
+  }
   return text(
       "%u substeps of %.6g s (the stable bound is %.6g s, set by the spring %u-%u of cloth %u) "
       "use at least %.0f substeps, or allow unsafe steps",
-      substeps, dt / substeps, bound.dt_bound, bound.a, bound.b, bound.cloth.index,
-      fewest_substeps(dt, bound.dt_bound));
+      substeps, dt / substeps, bound.dt_bound, bound.a, bound.b, bound.cloth.index, enough);
 }
 
 Status World::Impl::stride_of(double dt, api::Stride& stride) {
@@ -83,20 +89,19 @@ Status World::Impl::stride_of(double dt, api::Stride& stride) {
   }
   const Stability bound = tightest();
   stride = {dt, desc.substeps, 0};
-  if (desc.substeps == 0 && desc.integrator == Integrator::xpbd) {
-    double limit = bound.dt_bound;
-    for (const ClothId id : order) {
-      limit = std::min(limit, api::usual_substep(desc, *cloths[id.index]));
-    }
-    const double most = desc.max_substeps > 0 ? desc.max_substeps : most_substeps;
-    const double least = std::min(double(least_substeps), most);
-    stride.substeps = static_cast<uint32_t>(std::clamp(fewest_substeps(dt, limit), least, most));
-  } else if (desc.substeps == 0) {
+  if (desc.substeps == 0) {
     const double limit = desc.safety * bound.dt_bound;
-    double n = fewest_substeps(dt, limit);
+    double wanted = limit, n = 1;
+    if (desc.integrator == Integrator::xpbd) {
+      n = least_substeps;
+      for (const ClothId id : order) {
+        wanted = std::min(wanted, api::usual_substep(desc, *cloths[id.index]));
+      }
+    }
+    n = std::max(n, fewest_substeps(dt, wanted));
     if (desc.max_substeps > 0 && n > desc.max_substeps) {
       n = desc.max_substeps;
-      stride.dt = n * limit;
+      if (dt / n > limit) stride.dt = n * limit;
       while (stride.dt / n > limit) stride.dt = std::nextafter(stride.dt, 0.0);
       stride.dropped = dt - stride.dt;
     }
